@@ -40,13 +40,33 @@ std::string species_words(Language language, const Species& species, int dimensi
                    : say(language, "{}, {},", noun, start);
 }
 
+const char* name_of_axis(int axis) { return axis == 0 ? "x" : axis == 1 ? "y" : "z"; }
+
 // The words for where the particles are, and for what happens to those that leave through a
 // periodic side.
 struct BoxWords {
     std::string where, passage;
 };
 
+BoxWords words_of_space(Language language, const Box& box) {
+    const double width = box.size[0], height = box.size[1], depth = box.size[2];
+    std::vector<std::string> periodic;
+    for (int axis = 0; axis < 3; ++axis)
+        if (box.is_periodic(axis)) periodic.push_back(name_of_axis(axis));
+    if (periodic.size() == 3)
+        return {say(language, "in a periodic box of {} by {} by {}", width, height, depth),
+                say(language, "What leaves on one side enters on the opposite side.")};
+    if (!periodic.empty())
+        return {say(language, "in a box of {} by {} by {}, periodic along {},", width, height,
+                    depth, listed(language, periodic)),
+                say(language, "What leaves on a periodic side enters on the opposite side.")};
+    if (!box.surfaces.sides_reflect())
+        return {say(language, "in a box of {} by {} by {}", width, height, depth), ""};
+    return {say(language, "in a box of {} by {} by {} with solid walls", width, height, depth), ""};
+}
+
 BoxWords words_of(Language language, const Box& box) {
+    if (box.dimension == 3) return words_of_space(language, box);
     const bool across = box.is_periodic(0), up = box.is_periodic(1);
     const bool walls_act = !box.surfaces.sides_reflect();
     const double width = box.size[0], height = box.size[1];
@@ -94,9 +114,11 @@ std::string words_of(Language language, const Membrane& membrane, const Gas& gas
         const std::string who = passing_words(language, speeds);
         if (!who.empty()) passes.push_back(say(language, "{} {}", who, say(language, where)));
     };
+    constexpr std::array up{Phrase{"to the right"}, Phrase{"upwards"}, Phrase{"to the front"}};
+    constexpr std::array down{Phrase{"to the left"}, Phrase{"downwards"}, Phrase{"to the back"}};
     if (membrane.species.empty()) {
-        add(membrane.upward, axis == 0 ? Phrase{"to the right"} : Phrase{"upwards"});
-        add(membrane.downward, axis == 0 ? Phrase{"to the left"} : Phrase{"downwards"});
+        add(membrane.upward, up.at(static_cast<std::size_t>(axis)));
+        add(membrane.downward, down.at(static_cast<std::size_t>(axis)));
     }
     return say(language, "lets {} through", listed(language, passes));
 }
@@ -106,8 +128,8 @@ std::string words_of(Language language, const Partition& partition, const std::s
     const std::string what = only_reflects(partition.behaviour)
                                  ? say(language, "divides the box")
                                  : words_of(language, partition.behaviour, gas, partition.axis);
-    const char* axis = partition.axis == 0 ? "x" : "y";
-    std::string text = say(language, "{} at {} = {} {}", subject, axis, partition.at, what);
+    std::string text = say(language, "{} at {} = {} {}", subject, name_of_axis(partition.axis),
+                           partition.at, what);
     const auto gaps = static_cast<long long>(partition.gaps.size());
     if (gaps > 0)
         text += " " + counted(language, gaps, Phrase{"and has {} gap"}, Phrase{"and has {} gaps"});
@@ -127,31 +149,42 @@ std::string words_of(Language language, const std::vector<Obstacle>& obstacles) 
 }
 
 std::string words_of_gravity(Language language, const Vec& g, int dimension) {
-    const double size = std::hypot(g[0], g[1]);
-    if (dimension == 1 || g[1] == 0.0)
-        return g[0] > 0.0 ? say(language, "Gravity pulls to the right with acceleration {}", size)
-                          : say(language, "Gravity pulls to the left with acceleration {}", size);
-    if (g[0] == 0.0)
-        return g[1] > 0.0 ? say(language, "Gravity pulls up with acceleration {}", size)
-                          : say(language, "Gravity pulls down with acceleration {}", size);
-    return say(language, "Gravity pulls with acceleration ({}; {})", plain_number(language, g[0]),
-               plain_number(language, g[1]));
+    const auto is_along = [&](int axis) {
+        return g[(axis + 1) % 3] == 0.0 && g[(axis + 2) % 3] == 0.0;
+    };
+    if (is_along(0))
+        return g[0] > 0.0 ? say(language, "Gravity pulls to the right with acceleration {}", g[0])
+                          : say(language, "Gravity pulls to the left with acceleration {}", -g[0]);
+    if (is_along(1))
+        return g[1] > 0.0 ? say(language, "Gravity pulls up with acceleration {}", g[1])
+                          : say(language, "Gravity pulls down with acceleration {}", -g[1]);
+    if (is_along(2))
+        return g[2] > 0.0 ? say(language, "Gravity pulls to the front with acceleration {}", g[2])
+                          : say(language, "Gravity pulls to the back with acceleration {}", -g[2]);
+    if (dimension == 2)
+        return say(language, "Gravity pulls with acceleration ({}; {})",
+                   plain_number(language, g[0]), plain_number(language, g[1]));
+    return say(language, "Gravity pulls with acceleration ({}; {}; {})",
+               plain_number(language, g[0]), plain_number(language, g[1]),
+               plain_number(language, g[2]));
 }
 
 }  // namespace
 
 std::string particles_counted(Language language, long long count, int dimension) {
-    return dimension == 1 ? counted(language, count, Phrase{"{} bead"}, Phrase{"{} beads"})
-                          : counted(language, count, Phrase{"{} disk"}, Phrase{"{} disks"});
+    if (dimension == 1) return counted(language, count, Phrase{"{} bead"}, Phrase{"{} beads"});
+    if (dimension == 2) return counted(language, count, Phrase{"{} disk"}, Phrase{"{} disks"});
+    return counted(language, count, Phrase{"{} sphere"}, Phrase{"{} spheres"});
 }
 
 std::string name_of_surface(Language language, std::int32_t surface, const Gas& gas) {
-    constexpr std::array walls{Phrase{"The left wall"}, Phrase{"The right wall"},
-                               Phrase{"The lower wall"}, Phrase{"The upper wall"}};
+    constexpr std::array walls{Phrase{"The left wall"},  Phrase{"The right wall"},
+                               Phrase{"The lower wall"}, Phrase{"The upper wall"},
+                               Phrase{"The back wall"},  Phrase{"The front wall"}};
     constexpr std::array ends{Phrase{"The left end"}, Phrase{"The right end"}};
     const auto k = static_cast<std::size_t>(surface);
     if (gas.box.dimension == 1 && k < ends.size()) return say(language, ends.at(k));
-    if (k < walls.size()) return say(language, walls.at(k));
+    if (gas.box.surfaces.is_side(surface)) return say(language, walls.at(k));
     const std::string name = gas.box.surfaces.names().at(k);
     return gas.box.surfaces.partition(surface) != nullptr
                ? say(language, "The partition “{}”", name)
@@ -188,7 +221,7 @@ std::string words_of(Language language, const Perturbation& nudge) {
         return parse_number(nudge.by[axis]).value_or(0.0);
     };
     return say(language, "Particle {} is moved by {}", nudge.particle,
-               three_digits(language, std::hypot(length(0), length(1))));
+               three_digits(language, std::hypot(length(0), length(1), length(2))));
 }
 
 std::vector<std::string> words_of_surfaces(Language language, const Gas& gas) {

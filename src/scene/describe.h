@@ -16,7 +16,8 @@ struct Scene;
 /// Returns what the film shows, in a few plain sentences.
 std::string describe(const Scene& scene);
 
-/// Returns a count of particles, "1 disk" or "30 beads", for a gas of the given dimension.
+/// Returns a count of particles, "1 disk", "30 beads" or "9 spheres", for a gas of the given
+/// dimension.
 std::string particles_counted(Language language, long long count, int dimension);
 
 /// Returns the name of a surface, given its number (surface.h): "The left wall", "The partition

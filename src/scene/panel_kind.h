@@ -38,8 +38,8 @@ enum class Ability {
     pair,         ///< `of` is two particles; without it the first two that collide
     two,          ///< `of` is two particles, and is required
     over,         ///< takes numbers over a time: `over`
-    component,    ///< along one axis: `component`, `x` or `y`
-    both,         ///< the same, and both axes together: `both`
+    component,    ///< along one axis: `component`, `x`, `y` or `z`
+    both,         ///< the same, and all axes together: `both`, in space `all`
     theory,       ///< has a curve of theory: `theory`
     equilibrium,  ///< that curve is the equilibrium's, so that bars can be tested against it:
                   ///< `test`
@@ -157,6 +157,9 @@ struct PanelKind {
 
     /// For a kind that is only for figures: what to do in films instead; empty: for films, too.
     std::string in_films_instead = {};
+
+    /// For a kind that has no meaning in space: what to do there instead; empty: it has one.
+    std::string in_space_instead = {};
 
     /// For the kind that shows the gas: the names of its colour scales from slow to fast.
     std::vector<std::string> palettes = {};

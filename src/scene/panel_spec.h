@@ -27,7 +27,8 @@ struct Over {
     double window = 0.0;  ///< simulated time before the present
 };
 
-enum class Component { x, y, both };
+/// One axis, or all of them together: both in a plane, all three in space.
+enum class Component { x, y, z, both };
 
 /// The simulated time in which something is shown.
 struct TimeSpan {
@@ -93,6 +94,13 @@ struct PanelSpec {
     Diagnostic place = {};          ///< in the file, with an empty message, for errors found later
     Options options = {};           ///< of its kind
 };
+
+/// The axis along which a panel shows one component: 0 for x, also if it names none, 1 for y, 2 for
+/// z.
+inline int axis_of(const PanelSpec& panel) {
+    if (panel.component == Component::z) return 2;
+    return panel.component == Component::y ? 1 : 0;
+}
 
 /// A panel with options of its kind, which is of the type T.
 template <class T>

@@ -78,8 +78,12 @@ inline constexpr auto enum_words<SoundOf> = std::to_array<EnumWord<SoundOf>>({{S
                                                                                "collisions"}});
 
 template <>
-inline constexpr auto enum_words<Component> = std::to_array<EnumWord<Component>>(
-    {{Component::x, "x"}, {Component::y, "y"}, {Component::both, "both"}});
+inline constexpr auto enum_words<Component> =
+    std::to_array<EnumWord<Component>>({{Component::x, "x"},
+                                        {Component::y, "y"},
+                                        {Component::z, "z"},
+                                        {Component::both, "both"},
+                                        {Component::both, "all"}});
 
 /// The word for a value; empty if it has none.
 template <typename E>

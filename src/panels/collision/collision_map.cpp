@@ -289,7 +289,8 @@ PanelKind collision_map_kind() {
             .rule = check_collision_map,
             .has_own_time =
                 [](const PanelSpec& spec) { return !spec.options.as<CollisionMapOptions>().walk; },
-            .work = always(PanelWork{.flights = PanelWork::Flights::recorded})};
+            .work = always(PanelWork{.flights = PanelWork::Flights::recorded}),
+            .in_space_instead = "give the box a `length` instead: it shows beads on a wire"};
 }
 
 }  // namespace carom

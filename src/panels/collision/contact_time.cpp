@@ -281,7 +281,8 @@ PanelKind contact_time_kind() {
             .make = make_contact_time,
             .abilities = {of, pair},
             .has_own_time = always(true),
-            .work = always(PanelWork{.flights = PanelWork::Flights::recorded})};
+            .work = always(PanelWork{.flights = PanelWork::Flights::recorded}),
+            .in_space_instead = "give `size` two lengths: it shows a collision in a plane"};
 }
 
 }  // namespace carom

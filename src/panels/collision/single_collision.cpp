@@ -336,7 +336,8 @@ PanelKind single_collision_kind() {
             .make = make_single_collision,
             .abilities = {of, pair},
             .has_own_time = always(true),
-            .has_plot = false};
+            .has_plot = false,
+            .in_space_instead = "give `size` two lengths: it shows a collision in a plane"};
 }
 
 }  // namespace carom

@@ -12,7 +12,7 @@ namespace {
 
 // Beads on a line have no hexagonal order.
 void check_orientational_order(PanelSpec&, const Node& node, Reading& reading) {
-    if (reading.box().dimension == 2) return;
+    if (reading.box().dimension > 1) return;
     reading.errors.add(node.is_mapping() ? *given(node, "kind") : node,
                        "beads on a line have no hexagonal order",
                        "give a box with a `size`, or another panel");

@@ -40,7 +40,7 @@ ProfileRecord mean_of(const std::vector<ProfileRecord>& records) {
 ProfilePanel::ProfilePanel(const PanelContext& context, const PanelSpec& spec)
     : context_(context),
       spec_(spec),
-      axis_(spec.component == Component::y ? 1 : 0),
+      axis_(axis_of(spec)),
       cells_(slabs(context.box(), axis_, options().cells.value_or(usual_slabs))),
       over_(spec.over.value_or(usual_window_of_profile(context.run()))),
       choices_(choices(spec)) {
@@ -154,7 +154,7 @@ std::vector<Binding<ProfileOptions>> profile_keys() {
     return {bind_key("quantity", &ProfileOptions::quantity, quantity_notation(false),
                      "What it shows; `flow` is the mean velocity along the axis."),
             cells_key(&ProfileOptions::cells),
-            bind_key("around", &ProfileOptions::around, plane_vector(not_negative),
+            bind_key("around", &ProfileOptions::around, vector_of(2, not_negative),
                      "A point: the density then is shown in rings around it, against the distance "
                      "from it, up to the nearest side of the box.")
                 .default_text("none: along an axis"),
@@ -177,6 +177,9 @@ void check_profile(PanelSpec& panel, const Node& node, Reading& reading) {
                        "for instance around: [20, 15]");
         return;
     }
+    if (box.dimension == 3)
+        return refuse_key("around", "in a box with three lengths a profile goes along an axis",
+                          "leave it out, and choose the axis by `component`");
     if (box.dimension == 1)
         return refuse_key("around", "on a wire there are no rings around a point",
                           "leave it out: a profile along the wire shows the density");

@@ -13,8 +13,10 @@ std::vector<plot::Text> ProfilePanel::titles() const {
     const Language language = context_.language();
     std::string name =
         capitalised(name_of_quantity(language, context_.scene, options().quantity, {}));
-    if (context_.box().dimension == 2)
-        name = is_up() ? say(language, "{} along y", name) : say(language, "{} along x", name);
+    if (context_.box().dimension > 1)
+        name = axis_ == 0   ? say(language, "{} along x", name)
+               : axis_ == 1 ? say(language, "{} along y", name)
+                            : say(language, "{} along z", name);
     if (spec_.of.empty()) return {name};
     const plot::Text names = names_of(context_, choices_, plot::Swatch::line);
     return {name + ": " + names, names};
@@ -106,7 +108,10 @@ void ProfilePanel::make_axes() {
     const Scene& scene = context_.scene;
     const Language language = context_.language();
     const Quantity quantity = quantity_of_field(scene, options().quantity);
-    const std::string place = scene.gas.box.dimension == 1 ? "position" : is_up() ? "y" : "x";
+    const std::string place = scene.gas.box.dimension == 1 ? "position"
+                              : axis_ == 0                 ? "x"
+                              : axis_ == 1                 ? "y"
+                                                           : "z";
     const double most = std::ranges::max_element(record_.runs, {}, &ProfileRun::most)->most;
     const double top = round_up_for_axis(1.02 * most);
     const double low = options().quantity == FieldOf::flow ? -top : 0.0;

@@ -1,5 +1,7 @@
 #include "panels/instruments/crossings.h"
 
+#include <fmt/format.h>
+
 #include "physics/box.h"
 #include "scene/keys/check.h"
 #include "util/text.h"
@@ -37,17 +39,20 @@ CrossedLine crossed_line(const Box& box, const CrossedAt& at, std::size_t surfac
 
 std::string name_of_line(const Box& box, const CrossedAt& at, std::size_t surface) {
     if (!at.line) return box.surfaces.names()[static_cast<std::size_t>(at.surfaces.at(surface))];
-    return (at.line->axis == 0 ? "x = " : "y = ") + plain_number(at.line->at);
+    const char* axis = at.line->axis == 0 ? "x" : at.line->axis == 1 ? "y" : "z";
+    return fmt::format("{} = {}", axis, plain_number(at.line->at));
 }
 
 std::array<Phrase, 2> ways_across(int axis) {
     if (axis == 0) return {Phrase{"to the right"}, Phrase{"to the left"}};
-    return {Phrase{"upwards"}, Phrase{"downwards"}};
+    if (axis == 1) return {Phrase{"upwards"}, Phrase{"downwards"}};
+    return {Phrase{"to the front"}, Phrase{"to the back"}};
 }
 
 std::array<std::string, 2> arrows_across(int axis) {
     if (axis == 0) return {"→", "←"};
-    return {"↑", "↓"};
+    if (axis == 1) return {"↑", "↓"};
+    return {"↙", "↗"};
 }
 
 }  // namespace carom

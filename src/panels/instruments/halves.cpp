@@ -9,9 +9,10 @@ namespace {
 
 Meter halves(const PanelContext& context, const PanelSpec& spec) {
     const Language language = context.language();
-    const int axis = spec.component == Component::y ? 1 : 0;
-    const auto words = axis == 0 ? std::array{Phrase{"left half"}, Phrase{"right half"}}
-                                 : std::array{Phrase{"lower half"}, Phrase{"upper half"}};
+    const int axis = axis_of(spec);
+    const auto words = axis == 0   ? std::array{Phrase{"left half"}, Phrase{"right half"}}
+                       : axis == 1 ? std::array{Phrase{"lower half"}, Phrase{"upper half"}}
+                                   : std::array{Phrase{"back half"}, Phrase{"front half"}};
     Meter meter{.title = say(language, "Kinetic energy"), .quantity = quantities::energy};
     meter.over = spec.over;
     for (std::size_t k = 0; k < 2; ++k)

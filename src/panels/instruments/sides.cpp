@@ -1,6 +1,8 @@
 // A quantity of the particles in parts of the box against time: on the two sides of a partition, or
 // in regions that the scene names. The quantity is their number, temperature, mean energy or centre
 // of mass.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -52,10 +54,10 @@ void check_sides(PanelSpec& panel, const Node& node, Reading& reading) {
         panel, parts.surfaces,
         {[&](std::int32_t surface) { return !reading.box().surfaces.is_side(surface); },
          "a partition of the box",
-         reading.box().dimension == 1
-             ? "give the panel `regions: [{name: left, within: [x0, x1]}]`"
-             : "add one to `partitions`, or give the panel `regions: [{name: left, within: [x0, "
-               "y0, x1, y1]}]`"},
+         fmt::format("{} `regions: [{{name: left, within: {}}}]`",
+                     reading.box().dimension == 1 ? "give the panel"
+                                                  : "add one to `partitions`, or give the panel",
+                     corners(reading.box().dimension))},
         node, reading);
     require_one(panel, parts.surfaces, node, reading);
 }
@@ -134,7 +136,7 @@ Meter sides(const PanelContext& context, const PanelSpec& spec) {
     const std::vector<std::string> names = parts.names(language);
     for (std::size_t k = 0; k < parts.count(); ++k)
         meter.lines.push_back({columns[k], names[k], surface_role(k, parts.count())});
-    const int axis = spec.component == Component::y ? 1 : 0;
+    const int axis = axis_of(spec);
     meter.read = [context, parts, measure = options.measure, axis](const FrameInput& o) {
         std::vector<double> now;
         for (const std::vector<Eigen::Index>& list : parts.members(o))

@@ -116,9 +116,8 @@ void check_parts(PanelSpec& panel, const Node& node, Reading& reading) {
             return !reading.box().surfaces.is_side(surface) && !may_move(reading, surface);
         },
         "a partition that does not move",
-        reading.box().dimension == 1
-            ? "name another one, or parts by `regions: [{name: left, within: [x0, x1]}]`"
-            : "name another one, or parts by `regions: [{name: left, within: [x0, y0, x1, y1]}]`"};
+        fmt::format("name another one, or parts by `regions: [{{name: left, within: {}}}]`",
+                    corners(reading.box().dimension))};
     SurfaceNumbers& surfaces = panel.options.change<HistogramOptions>().parts.surfaces;
     keep_suitable(panel, surfaces, fixed, node, reading);
     require_one(panel, surfaces, node, reading);

@@ -45,14 +45,16 @@ void check_phase(PanelSpec& panel, const Node& node, Reading& reading) {
 
 std::unique_ptr<Panel> make_phase(const PanelContext& context, const PanelSpec& spec) {
     const Box& box = context.box();
-    const Eigen::Index axis = spec.component == Component::y ? 1 : 0;
-    const auto along = [&](Phrase alone, Phrase x, Phrase y) {
-        return box.dimension == 1 ? alone : axis == 1 ? y : x;
+    const Eigen::Index axis = axis_of(spec);
+    const auto along = [&](Phrase alone, Phrase x, Phrase y, Phrase z) {
+        return box.dimension == 1 ? alone : axis == 0 ? x : axis == 1 ? y : z;
     };
-    const Quantity position = quantities::length.named(
-        along(Phrase{"position"}, Phrase{"position along x"}, Phrase{"position along y"}));
-    const Quantity velocity = quantities::velocity.named(
-        along(Phrase{"velocity"}, Phrase{"velocity along x"}, Phrase{"velocity along y"}));
+    const Quantity position =
+        quantities::length.named(along(Phrase{"position"}, Phrase{"position along x"},
+                                       Phrase{"position along y"}, Phrase{"position along z"}));
+    const Quantity velocity =
+        quantities::velocity.named(along(Phrase{"velocity"}, Phrase{"velocity along x"},
+                                         Phrase{"velocity along y"}, Phrase{"velocity along z"}));
     const std::vector<Chosen> chosen = choices(spec);
     const std::vector<std::vector<Eigen::Index>> lists = members(context, chosen);
     std::vector<Flights> flights;  // of the first of each: of several there is no path

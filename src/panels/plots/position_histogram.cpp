@@ -9,12 +9,13 @@ namespace {
 
 std::unique_ptr<Panel> make_position_histogram(const PanelContext& context, const PanelSpec& spec) {
     const Box& box = context.box();
-    const Eigen::Index axis = spec.component == Component::y ? 1 : 0;
+    const Eigen::Index axis = axis_of(spec);
     HistogramSubject subject{
         .title = Phrase{"Distribution of positions"},
         .quantity = quantities::length.named(box.dimension == 1 ? Phrase{"position"}
+                                             : axis == 0        ? Phrase{"position along x"}
                                              : axis == 1        ? Phrase{"position along y"}
-                                                                : Phrase{"position along x"}),
+                                                                : Phrase{"position along z"}),
         .values = [axis](const FrameInput& o) { return values_in(o.sample.position, axis); },
         .courses =
             [axis, period = box.is_periodic(static_cast<int>(axis)) ? box.size[axis] : 0.0](

@@ -22,10 +22,11 @@ void check_positions(PanelSpec& panel, const Node& node, Reading& reading) {
 
 std::unique_ptr<Panel> make_positions(const PanelContext& context, const PanelSpec& spec) {
     const Box& box = context.box();
-    const Eigen::Index axis = spec.component == Component::y ? 1 : 0;
+    const Eigen::Index axis = axis_of(spec);
     const Phrase title = box.dimension == 1 ? Phrase{"Positions of two particles"}
+                         : axis == 0        ? Phrase{"Positions of two particles along x"}
                          : axis == 1        ? Phrase{"Positions of two particles along y"}
-                                            : Phrase{"Positions of two particles along x"};
+                                            : Phrase{"Positions of two particles along z"};
     const auto first = static_cast<Eigen::Index>(spec.of.at(0).particle.value());
     const auto second = static_cast<Eigen::Index>(spec.of.at(1).particle.value());
     const double length = box.size[axis];

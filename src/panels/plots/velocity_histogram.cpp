@@ -17,19 +17,21 @@ int velocities_each(const PanelSpec& panel, const Gas& gas) {
 std::unique_ptr<Panel> make_velocity_histogram(const PanelContext& context, const PanelSpec& spec) {
     const Component component = spec.component.value_or(Component::both);
     const bool both = component == Component::both;
-    const bool plane = context.box().dimension == 2;  // where each particle counts twice
-    const Eigen::Index first = component == Component::y ? 1 : 0;
-    HistogramSubject subject{.title = both && plane ? Phrase{"Distribution of velocity components"}
-                                                    : Phrase{"Velocity distribution"},
-                             .quantity = quantities::velocity.named(
-                                 both                        ? Phrase{"velocity"}
-                                 : component == Component::x ? Phrase{"velocity along x"}
-                                                             : Phrase{"velocity along y"}),
-                             .values = {},
-                             .density = {},
-                             .symmetric = true,
-                             .means = false,
-                             .tested = TestedQuantity::velocity};
+    const int dimension = context.box().dimension;  // as often a particle counts with `both`
+    const Eigen::Index first = axis_of(spec);
+    HistogramSubject subject{
+        .title = both && dimension > 1 ? Phrase{"Distribution of velocity components"}
+                                       : Phrase{"Velocity distribution"},
+        .quantity =
+            quantities::velocity.named(both                        ? Phrase{"velocity"}
+                                       : component == Component::x ? Phrase{"velocity along x"}
+                                       : component == Component::y ? Phrase{"velocity along y"}
+                                                                   : Phrase{"velocity along z"}),
+        .values = {},
+        .density = {},
+        .symmetric = true,
+        .means = false,
+        .tested = TestedQuantity::velocity};
     const std::optional<int> along = both ? std::nullopt : std::optional(static_cast<int>(first));
     subject.density = [along](const EquilibriumGas& gas, double v) {
         return velocity_density(gas, v, along);
@@ -37,8 +39,8 @@ std::unique_ptr<Panel> make_velocity_histogram(const PanelContext& context, cons
     subject.values = [both, first](const FrameInput& o) {
         return both ? values_in(o.sample.velocity) : values_in(o.sample.velocity, first);
     };
-    subject.courses = [first, last = both && plane ? 1 : first](const PathPiece& piece,
-                                                                const auto& take) {
+    subject.courses = [first, last = both ? dimension - 1 : first](const PathPiece& piece,
+                                                                   const auto& take) {
         for (Eigen::Index axis = first; axis <= last; ++axis)
             take({piece.from, piece.to, {piece.velocity[axis], piece.acceleration[axis], 0.0}});
     };

@@ -1,12 +1,12 @@
 #include "scene/feasibility/feasibility.h"
 
 #include <algorithm>
-#include <numbers>
 #include <set>
 #include <string_view>
 
 #include "physics/placement/draws.h"
 #include "physics/placement/feasibility.h"
+#include "physics/placement/members.h"
 #include "scene/limits.h"
 #include "scene/scene.h"
 
@@ -114,7 +114,7 @@ const Node& node_of(const SurfaceProblem& problem, const SurfaceNodes& nodes) {
         case Its::gaps_overlap:
             return given(item, "gaps")->items.at(problem.item);
         case Its::partition_outside:
-            return key_or(item, {"x", "y"});
+            return key_or(item, {"x", "y", "z"});
         case Its::along_periodic:
         case Its::piston_gaps:
             return key_or(item, {"mass", "velocity"});
@@ -122,7 +122,7 @@ const Node& node_of(const SurfaceProblem& problem, const SurfaceNodes& nodes) {
             return key_or(item, {"polygon", "segment"}).items.at(problem.item);
         case Its::obstacle_outside:
         case Its::obstacle_too_wide:
-            return key_or(item, {"disk", "rectangle", "polygon", "segment"});
+            return key_or(item, {"disk", "rectangle", "polygon", "segment", "sphere", "cuboid"});
         default:
             return item;
     }
@@ -132,10 +132,10 @@ const Node& node_of(const SurfaceProblem& problem, const SurfaceNodes& nodes) {
 
 void check_surfaces(const Gas& gas, const SurfaceNodes& nodes, Errors& errors) {
     const bool is_plain = gas.box.surfaces.are_plain() && nodes.run.events.empty();
-    const bool is_known = gas.box.dimension == 2 && !gas.species.empty() && errors.empty();
-    const double area =
-        is_known && !is_plain ? std::numbers::pi * draw_gas(gas).first.radius.square().sum() : 0.0;
-    for (const SurfaceProblem& problem : surface_problems(gas.box, nodes.run, area)) {
+    const bool is_known = gas.box.dimension > 1 && !gas.species.empty() && errors.empty();
+    const double taken =
+        is_known && !is_plain ? sum_of_sizes(gas.box, draw_gas(gas).first.radius) : 0.0;
+    for (const SurfaceProblem& problem : surface_problems(gas.box, nodes.run, taken)) {
         const auto [message, hint] = to_text(problem, gas.box);
         errors.add(node_of(problem, nodes), message, hint);
     }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 
 #include "physics/gas.h"
@@ -21,10 +22,9 @@ namespace {
 std::vector<std::string> measurable(const Box& box) {
     std::vector<std::string> names = box.surfaces.names();
     names.resize(static_cast<std::size_t>(box.surfaces.first_obstacle()));
-    for (std::size_t side = 0; side < 4; ++side)
-        if (side >= static_cast<std::size_t>(2 * box.dimension) ||
-            box.is_periodic(static_cast<Eigen::Index>(side / 2)))
-            names[side].clear();
+    for (std::int32_t side = 0; box.surfaces.is_side(side); ++side)
+        if (!box.has_surface(side) || box.is_periodic(side / 2))
+            names[static_cast<std::size_t>(side)].clear();
     return names;
 }
 
@@ -142,12 +142,28 @@ std::optional<WatchStart> event_called(const std::string& word, const Node& node
     return std::nullopt;
 }
 
+// The part of a line or a plane at which particles are counted, from its ends or its corners.
+std::optional<Gap> counted_part(const std::vector<double>& ends, const Node& node, const Box& box,
+                                Errors& errors) {
+    const bool is_plane = box.dimension == 2;
+    if (ends.size() == (is_plane ? 2U : 4U))
+        if (const auto part = region_of(box.dimension - 1, ends))
+            return Gap({part->low[0], part->low[1]}, {part->high[0], part->high[1]});
+    errors.add(node,
+               is_plane ? "expected [from, to] with from < to for `between`"
+                        : "expected [a0, b0, a1, b1] with a0 < a1 and b0 < b1 for `between`",
+               is_plane ? "write the smaller one first"
+                        : "the lower corner of a rectangle, then its upper one, without the "
+                          "coordinate that `line` gives");
+    return std::nullopt;
+}
+
 }  // namespace
 
 Notation<CountingLine> counting_line_notation() {
     struct Written {
-        std::optional<double> x, y;
-        std::optional<TwoNumbers> between;
+        std::optional<double> x, y, z;
+        std::optional<std::vector<double>> between;
     };
     const KeyTable<Written> table{
         .name = "`line`",
@@ -155,18 +171,30 @@ Notation<CountingLine> counting_line_notation() {
                           "The x coordinate of a line perpendicular to the x axis."),
                  bind_key("y", &Written::y, number(not_negative),
                           "The y coordinate of a line perpendicular to the y axis."),
-                 bind_key("between", &Written::between, pair_of(any_number, "[from, to]"),
+                 bind_key("z", &Written::z, number(not_negative),
+                          "The z coordinate of a plane perpendicular to the z axis, in a box with "
+                          "three lengths."),
+                 bind_key("between", &Written::between,
+                          list_of(number(any_number), 2, {4}, "[from, to]"),
                           "Where the line begins and ends along the other axis.")
                      .default_text("across the whole box")},
-        .choices = {{{"x", "y"}, true}}};
+        .choices = {{{"x", "y", "z"}, true}}};
     const auto complete = [](const Written& written, const Node& node,
                              Reading& reading) -> std::optional<CountingLine> {
-        if (written.x.has_value() == written.y.has_value()) return std::nullopt;  // reported
+        const std::array along{written.x, written.y, written.z};
+        const auto first = std::ranges::find_if(along, [](auto at) { return at.has_value(); });
+        if (std::ranges::count_if(along, [](auto at) { return at.has_value(); }) != 1)
+            return std::nullopt;  // reported
         const Box& box = reading.box();
-        CountingLine line{.axis = written.x ? 0 : 1, .at = written.x ? *written.x : *written.y};
-        if (line.axis >= box.dimension || (box.dimension == 1 && written.between)) {
+        CountingLine line{.axis = static_cast<int>(first - along.begin()), .at = **first};
+        if (box.dimension == 1 && (line.axis > 0 || written.between)) {
             reading.errors.add(node, "on a wire a `line` takes only `x`",
                                "a wire is crossed at a place: {x: 10}");
+            return std::nullopt;
+        }
+        if (line.axis >= box.dimension) {
+            reading.errors.add(node, "a box with two lengths has no z: a `line` takes `x` or `y`",
+                               "for instance {x: 10}");
             return std::nullopt;
         }
         if (box.size[line.axis] > 0.0 && line.at > box.size[line.axis]) {
@@ -175,12 +203,8 @@ Notation<CountingLine> counting_line_notation() {
             return std::nullopt;
         }
         if (!written.between) return line;
-        line.between = std::pair((*written.between)[0], (*written.between)[1]);
-        if (line.between->first < line.between->second) return line;
-        reading.errors.add(*given(node, "between"),
-                           "expected [from, to] with from < to for `between`",
-                           "write the smaller one first");
-        return std::nullopt;
+        line.between = counted_part(*written.between, *given(node, "between"), box, reading.errors);
+        return line.between ? std::optional(line) : std::nullopt;
     };
     return parsed(mapping(table, "{x: place} or {y: place}"), complete);
 }

@@ -19,7 +19,7 @@ Notation<SurfaceNumbers> surfaces_notation();
 /// A list of {name, within}.
 Notation<std::vector<NamedRegion>> regions_notation();
 
-/// {x: place} or {y: place}, with `between: [from, to]`.
+/// {x: place}, {y: place} or {z: place}, with `between: [from, to]`, in space [a0, b0, a1, b1].
 Notation<CountingLine> counting_line_notation();
 
 /// A time, or the event that starts a stopwatch: `start`, `reversal`, `heat`, or the name of a wall

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "physics/box.h"
@@ -19,7 +18,7 @@ using SurfaceNumbers = std::vector<std::int32_t>;
 /// A named part of the box.
 struct NamedRegion {
     std::string name;
-    Region region = {{0.0, 0.0}, {0.0, 0.0}};
+    Region region = {};
 };
 
 /// Surfaces or regions at which a panel measures; of a panel that measures in parts of the box,
@@ -30,12 +29,12 @@ struct MeasuredAt {
     bool any() const { return !regions.empty() || !surfaces.empty(); }
 };
 
-/// A line parallel to an axis, across the whole box or between two points, at which crossing
-/// particles are counted.
+/// A line parallel to an axis or, in space, a plane, across the whole box or a part of it, at which
+/// crossing particles are counted.
 struct CountingLine {
-    int axis = 0;     ///< the axis perpendicular to it: 0 for x, 1 for y
-    double at = 0.0;  ///< its position on that axis
-    std::optional<std::pair<double, double>> between = {};  ///< along the other axis; none: all
+    int axis = 0;                     ///< the axis perpendicular to it: 0 for x, 1 for y, 2 for z
+    double at = 0.0;                  ///< its position on that axis
+    std::optional<Gap> between = {};  ///< the part, as of a partition; none: all of it
 };
 
 /// When a stopwatch starts.

@@ -113,6 +113,36 @@ std::string range_hint(double value, const Form& form) {
     return "write " + listed(whole, "or", "`");
 }
 
+// Returns the length of the lists of a form if it is a fixed number of numbers; otherwise 0.
+std::size_t numbers_in(const Form& list) {
+    const bool is_fixed = list.most.value == static_cast<double>(list.shortest);
+    return is_fixed && form_of(list.items, Shape::number) != nullptr ? list.shortest : 0;
+}
+
+// Returns the name of the last number of a list: "z" of "[x, y, z]".
+std::string last_name(const Form& list) {
+    const std::string names = phrase(list);
+    const std::size_t begin = names.rfind(' ') + 1;
+    return names.substr(begin, names.rfind(']') - begin);
+}
+
+// Returns a vector or the corners of a plane with letters for what is missing in space:
+// "[20, 22, z]", "[1, 2, z0, 9, 8, z1]"; empty for other lists, and where none is missing.
+std::string with_depth(const Node& node, const Form& list) {
+    const std::size_t length = numbers_in(list);
+    if (!node.is_list() || (length != 3 && length != 6) || 3 * node.items.size() != 2 * length ||
+        !std::ranges::all_of(node.items,
+                             [](const Node& item) { return number_in(item).has_value(); }))
+        return "";
+    std::vector<std::string> numbers;
+    for (std::size_t k = 0; k < node.items.size(); ++k) {
+        numbers.push_back(node.items[k].text);
+        if (k % 2 == 1)
+            numbers.push_back(length == 3 ? last_name(list) : fmt::format("z{}", k / 2));
+    }
+    return fmt::format("[{}]", fmt::join(numbers, ", "));
+}
+
 // Returns what else a scalar may be replaced by: a list, or a mapping.
 std::string structure_instead(const Node& node, const std::vector<Form>& forms) {
     if (forms.size() == 1 && forms[0].section) return keys_hint(*forms[0].section);
@@ -166,9 +196,9 @@ std::string scalar_hint(const Node& node, const std::vector<Form>& forms) {
             !hint.empty())
             return hint;
     const Form* list = form_of(forms, Shape::list);
-    const bool is_pair = list != nullptr && list->shortest == 2 && list->most.value == 2.0;
-    if (is_pair && value && form_of(list->items, Shape::number) && number == nullptr)
-        return "two numbers: " + phrase(*list);
+    if (const std::size_t length = list != nullptr ? numbers_in(*list) : 0;
+        (length == 2 || length == 3) && value && number == nullptr)
+        return fmt::format("{} numbers: {}", length == 2 ? "two" : "three", phrase(*list));
     return structure_instead(node, forms);
 }
 
@@ -183,8 +213,11 @@ std::string structure_hint(const Node& node, const std::vector<Form>& forms) {
         return color_hint(fmt::format("{}", fmt::join(channels, ",")));
     }
     const Form* list = form_of(forms, Shape::list);
+    if (const std::string text = list != nullptr ? with_depth(node, *list) : ""; !text.empty())
+        return fmt::format("a box with three lengths needs {}: write `{}`", phrase(*list), text);
     if (node.is_mapping() && list && form_of(list->items, Shape::mapping))
         return "begin each item of the list with `- `, or put brackets around it: [{...}]";
+    if (node.is_mapping() && list != nullptr && !list->list_hint.empty()) return list->list_hint;
     const char begin = first_byte(node);
     if (form_of(forms, Shape::text) && (begin == '[' || begin == '{'))
         return fmt::format("a text that begins with `{}` needs quotes", begin);

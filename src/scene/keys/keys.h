@@ -49,7 +49,7 @@ struct Form {
     std::vector<Form> items = {};           ///< list: what each item may be
     std::size_t shortest = 1;               ///< list, text: least length
     Limit most = {0};                       ///< list, text: greatest length
-    std::string list_hint = {};  ///< hint for a list of another length; no list: for any list
+    std::string list_hint = {};  ///< for a list of another length or a mapping; no list: any list
     std::shared_ptr<const Section> section = {};  ///< mapping
     std::string phrase = {};                      ///< how a message calls it; empty: by the shape
 };

@@ -171,17 +171,57 @@ Notation<TwoNumbers> pair_of(Range range, std::string phrase) {
                   });
 }
 
-Notation<Vec> plane_vector(Range range, std::string phrase) {
-    return mapped(pair_of(range, std::move(phrase)),
-                  [](const TwoNumbers& along) { return Vec(along[0], along[1]); });
+Notation<Vec> vector_of(int dimension, Range range, std::string phrase) {
+    if (dimension == 1) return mapped(number(range), [](double x) { return Vec(x, 0.0); });
+    if (phrase.empty()) phrase = dimension == 2 ? "[x, y]" : "[x, y, z]";
+    const auto axes = static_cast<std::size_t>(dimension);
+    return mapped(list_of(number(range), axes, {static_cast<double>(dimension)}, std::move(phrase)),
+                  [](const std::vector<double>& along) {
+                      return Vec(along.at(0), along.at(1), along.size() == 3 ? along[2] : 0.0);
+                  });
+}
+
+const char* corners(int dimension) {
+    return dimension == 1   ? "[x0, x1]"
+           : dimension == 2 ? "[x0, y0, x1, y1]"
+                            : "[x0, y0, z0, x1, y1, z1]";
+}
+
+std::optional<Region> region_of(int dimension, const std::vector<double>& ends) {
+    Region region;
+    for (int axis = 0; axis < dimension; ++axis) {
+        region.low[axis] = ends.at(static_cast<std::size_t>(axis));
+        region.high[axis] = ends.at(static_cast<std::size_t>(dimension + axis));
+        if (!(region.low[axis] < region.high[axis])) return std::nullopt;
+    }
+    return region;
+}
+
+std::string order_of_corners(int dimension) {
+    return dimension == 1   ? "x0 < x1"
+           : dimension == 2 ? "x0 < x1 and y0 < y1"
+                            : "x0 < x1, y0 < y1 and z0 < z1";
+}
+
+Notation<Region> corners_of(int dimension, std::string key, std::string first) {
+    const Limit count{2.0 * dimension};
+    return parsed(list_of(number(any_number), count.count(), count, corners(dimension)),
+                  [=](const std::vector<double>& ends, const Node& node, Reading& reading) {
+                      const std::optional<Region> region = region_of(dimension, ends);
+                      if (!region)
+                          reading.errors.add(
+                              node,
+                              fmt::format("expected {} with {} for `{}`", corners(dimension),
+                                          order_of_corners(dimension), key),
+                              first);
+                      return region;
+                  });
 }
 
 Notation<std::vector<Vec>> points(int dimension) {
-    if (dimension == 1)
-        return one_or_list(mapped(number(any_number), [](double x) { return Vec(x, 0.0); }),
-                           most_particles, "a list of numbers");
-    const Notation<Vec> one = plane_vector(any_number);
-    const auto several = list_of(one, 1, most_particles, "a list of [x, y]");
+    const Notation<Vec> one = vector_of(dimension, any_number);
+    if (dimension == 1) return one_or_list(one, most_particles, "a list of numbers");
+    const auto several = list_of(one, 1, most_particles, "a list of " + one.forms.front().phrase);
     return {{one.forms.front(), several.forms.front()},
             [one, several](const Node& node, Reading& reading) -> std::optional<std::vector<Vec>> {
                 if (lists_points(node, 2)) return several.read(node, reading);

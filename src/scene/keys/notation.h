@@ -27,6 +27,7 @@ namespace carom {
 
 struct Box;
 struct Gas;
+struct Region;
 
 /// What reading a value may use besides its node: where errors are reported, and the gas and the
 /// run as far as they have been read.
@@ -90,8 +91,8 @@ struct Notation {
     /// number.
     SharedFunction<std::string(const V&)> write = [](const V&) { return std::string{}; };
 
-    /// Returns this notation with a hint for lists: of its first form, for lists of another length,
-    /// or where it is no list, for any.
+    /// Returns this notation with a hint for lists: of its first form, for lists of another length
+    /// and mappings, or where it is no list, for any.
     Notation with_list_hint(std::string hint) const {
         Notation notation = *this;
         notation.forms.front().list_hint = std::move(hint);
@@ -268,11 +269,23 @@ Notation<std::vector<V>> one_or_list(Notation<V> one, Limit most, std::string ph
 using TwoNumbers = std::array<double, 2>;
 Notation<TwoNumbers> pair_of(Range range, std::string phrase);
 
-/// A vector of a plane, [x, y].
-Notation<Vec> plane_vector(Range range, std::string phrase = "[x, y]");
+/// A vector of a box of this dimension: a number on a wire, [x, y] in a plane, [x, y, z] in space.
+/// `phrase` is what messages call a list.
+Notation<Vec> vector_of(int dimension, Range range, std::string phrase = "");
 
-/// One place or velocity, or a list with one for each particle: [x, y] in two dimensions, a number
-/// in one.
+/// The lower and the upper corner of a part of a box of this dimension, in one list: [x0, x1] on a
+/// wire, [x0, y0, x1, y1] in a plane, [x0, y0, z0, x1, y1, z1] in space; for `key`, the name of the
+/// value. Reports corners that are not in order; `first` is the hint to write one of them first.
+Notation<Region> corners_of(int dimension, std::string key, std::string first);
+const char* corners(int dimension);
+
+/// The corners in a list of so many numbers; none if they are not in order.
+std::optional<Region> region_of(int dimension, const std::vector<double>& ends);
+
+/// What messages say of the order of corners: "x0 < x1 and y0 < y1".
+std::string order_of_corners(int dimension);
+
+/// One place or velocity, or a list with one for each particle, each a vector_of(dimension).
 Notation<std::vector<Vec>> points(int dimension);
 
 /// Returns whether a checked node is a list of several points rather than a single point.

@@ -38,33 +38,43 @@ bool check_word(const Node& word, const WordShape& shape, Errors& errors) {
 }
 
 // Reports that the letters are too narrow: their strokes are as wide as `cell`, and have room for
-// `room` disks in all.
-void report_narrow(const Node& word, double count, double radius, double cell, double room,
-                   Errors& errors) {
+// `room` particles in all.
+void report_narrow(const Node& word, const char* particles, double count, double radius,
+                   double cell, double room, Errors& errors) {
     if (room == 0.0)
         errors.add(word,
-                   fmt::format("disks of radius {} are wider than the strokes of the letters, "
+                   fmt::format("{} of radius {} are wider than the strokes of the letters, "
                                "which are {:.4g} wide",
-                               radius, cell),
-                   "smaller disks or a larger `within` make room");
+                               particles, radius, cell),
+                   fmt::format("smaller {} or a larger `within` make room", particles));
     else
         errors.add(word,
-                   fmt::format("{} disks of radius {} do not fit into the letters, which have "
+                   fmt::format("{} {} of radius {} do not fit into the letters, which have "
                                "room for {:.0f}",
-                               count, radius, room),
-                   "fewer or smaller disks or a larger `within` make room");
+                               count, particles, radius, room),
+                   fmt::format("fewer or smaller {} or a larger `within` make room", particles));
 }
 
 }  // namespace
 
-std::optional<Places> places_of_word(const Node& word, const Region& region,
+std::optional<Places> places_of_word(const Node& word, const Region& region, int dimension,
                                      const ValueRule& radius, std::int64_t count, Errors& errors) {
+    const char* particles = dimension == 3 ? "spheres" : "disks";
     const WordShape shape = word_shape(word.text);
     const auto largest = largest_of(radius);
     if (!check_word(word, shape, errors)) return std::nullopt;
     if (!largest) {
         errors.add(word, "a `text` needs radii with an upper bound, not a normal distribution",
                    "for instance `radius: 0.3`");
+        return std::nullopt;
+    }
+    const double depth = region.high[2] - region.low[2];
+    if (dimension == 3 && 2.0 * *largest > depth) {
+        errors.add(
+            word,
+            fmt::format("spheres of radius {} do not fit into `within`, which is {:.4g} deep",
+                        *largest, depth),
+            "smaller spheres or a deeper `within` make room");
         return std::nullopt;
     }
     const double cell = shape.cell_in(region);
@@ -75,8 +85,8 @@ std::optional<Places> places_of_word(const Node& word, const Region& region,
                   : std::clamp(most_across(cell, 1.25 * *largest), 1,
                                static_cast<int>(std::sqrt(most_particles.value / cells)));
     if (across > most) {
-        report_narrow(word, static_cast<double>(count), *largest, cell, cells * most * most,
-                      errors);
+        report_narrow(word, particles, static_cast<double>(count), *largest, cell,
+                      cells * most * most, errors);
         return std::nullopt;
     }
     const std::int64_t all = static_cast<std::int64_t>(cells) * across * across;

@@ -12,10 +12,11 @@ namespace carom {
 
 struct Places;
 
-/// Returns places for `count` disks, with as many disks across a stroke of the letters as that
+/// Returns places for `count` disks or, in a region of space, spheres half way between its back and
+/// its front, with as many disks across a stroke of the letters as that
 /// takes. If `count` is 0, there are as many across as leave a gap of a quarter of their diameter.
 /// Reports it and returns nothing if the disks do not fit into the letters.
-std::optional<Places> places_of_word(const Node& word, const Region& region,
+std::optional<Places> places_of_word(const Node& word, const Region& region, int dimension,
                                      const ValueRule& radius, std::int64_t count, Errors& errors);
 
 }  // namespace carom

@@ -18,15 +18,19 @@ namespace {
 
 constexpr std::int32_t no_surface = -1;  // until its name is resolved
 
+const char* displacement(int dimension) {
+    return dimension == 1 ? "dx" : dimension == 2 ? "[dx, dy]" : "[dx, dy, dz]";
+}
+
 // The displacement is kept as the text in the file, because a double cannot hold all of its digits.
 Notation<Displacement> digits(int dimension) {
-    if (dimension == 1)
-        return parsed(number(any_number), [](double, const Node& node, Reading&) {
-            return std::optional(Displacement{node.text});
-        });
-    return parsed(pair_of(any_number, "[dx, dy]"),
-                  [](const TwoNumbers&, const Node& node, Reading&) {
-                      return std::optional(Displacement{node.items[0].text, node.items[1].text});
+    return parsed(vector_of(dimension, any_number, displacement(dimension)),
+                  [](const Vec&, const Node& node, Reading&) {
+                      Displacement by{"0", "0", "0"};
+                      if (node.items.empty()) by[0] = node.text;
+                      for (std::size_t axis = 0; axis < node.items.size(); ++axis)
+                          by.at(axis) = node.items[axis].text;
+                      return std::optional(by);
                   });
 }
 
@@ -41,8 +45,7 @@ Notation<Perturbation> nudge_notation(int dimension) {
             bind_key("by", &Perturbation::by, digits(dimension),
                      "The displacement, read with all its digits; it may be as small as 1e-300.")
                 .required()}};
-    return complete_mapping(
-        table, dimension == 1 ? "{particle: i, by: dx}" : "{particle: i, by: [dx, dy]}");
+    return complete_mapping(table, fmt::format("{{particle: i, by: {}}}", displacement(dimension)));
 }
 
 /// An item's `heat`.
@@ -294,6 +297,9 @@ void resolve_names(RunDraft& run, const PlacedSurfaces& surfaces,
 void check_nudges(const RunDraft& run, const Gas& gas, Errors& errors) {
     const auto count = particles_in(gas);
     const double size = gas.box.longest_side();
+    const char* example = gas.box.dimension == 1   ? "1.0e-6"
+                          : gas.box.dimension == 2 ? "[1.0e-6, 0]"
+                                                   : "[1.0e-6, 0, 0]";
     for (std::size_t k = 0; k < run.events.size(); ++k) {
         const auto* nudge = perturbation_of(run.events[k]);
         if (nudge == nullptr) continue;
@@ -301,17 +307,19 @@ void check_nudges(const RunDraft& run, const Gas& gas, Errors& errors) {
         if (count && nudge->particle >= *count)
             report_no_particle(*find(node, "particle"), std::to_string(nudge->particle), *count,
                                errors);
-        const double x = parse_number(nudge->by[0]).value_or(0.0);
-        const double y = parse_number(nudge->by[1]).value_or(0.0);
-        const double length = std::hypot(x, y);
+        const auto along = [&](std::size_t axis) {
+            return parse_number(nudge->by[axis]).value_or(0.0);
+        };
+        const double length = std::hypot(along(0), along(1), along(2));
         const Node& by = *find(node, "by");
         // At least ten bits of the displacement itself must be resolved.
         const double bits = 10.0 + std::log2(size) - std::log2(length);
         if (length == 0.0)
-            errors.add(by, "a nudge of 0 moves nothing", "for instance `by: [1.0e-6, 0]`");
+            errors.add(by, "a nudge of 0 moves nothing",
+                       fmt::format("for instance `by: {}`", example));
         else if (length >= size)
             errors.add(by, fmt::format("a nudge by {:.3g} leads out of the box", length),
-                       "a nudge is small, for instance `by: [1.0e-6, 0]`");
+                       fmt::format("a nudge is small, for instance `by: {}`", example));
         else if (run.bits && *run.bits < bits)
             errors.add(
                 by,

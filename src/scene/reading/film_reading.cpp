@@ -67,7 +67,7 @@ Notation<double> title_card_notation() {
 
 Notation<Trails> trails_notation() {
     const auto in_a_plane = [](std::int64_t seeds, const Node& node, Reading& reading) {
-        if (seeds > 0 && reading.box().dimension == 1)
+        if (seeds > 0 && reading.box().dimension != 2)
             reading.errors.add(node, "paths in other runs are drawn in a plane only",
                                "leave it out, or show another run by `beside`");
     };
@@ -168,17 +168,25 @@ std::vector<Binding<FilmDraft>> picture_keys() {
                  "through. Choose the theme that suits the slide.")};
 }
 
+// A circle of colours has a place for each direction of a plane, not for those of space.
+void check_color_by(ColorBy quantity, const Node& node, Reading& reading) {
+    if (quantity == ColorBy::direction && reading.box().dimension == 3)
+        reading.errors.add(node, "there is no colour for each direction of a velocity in space",
+                           "write `color_by: speed`, or `species`");
+}
+
 // Keys for the drawing of the gas.
 std::vector<Binding<Film>> gas_keys(PanelKinds kinds) {
     std::vector<std::string> palettes;
     for (const PanelKind& kind : kinds)
         if (kind.draws_box) palettes = kind.palettes;
+    const auto quantity =
+        one_of<ColorBy>().with_elsewhere({{"velocity", "did you mean `speed`?"},
+                                          {"name", "did you mean `species`?"},
+                                          {"kinetic-energy", "did you mean `energy`?"},
+                                          {"angle", "did you mean `direction`?"}});
     return {
-        bind_key("color_by", &Film::color_by,
-                 one_of<ColorBy>().with_elsewhere({{"velocity", "did you mean `speed`?"},
-                                                   {"name", "did you mean `species`?"},
-                                                   {"kinetic-energy", "did you mean `energy`?"},
-                                                   {"angle", "did you mean `direction`?"}}),
+        bind_key("color_by", &Film::color_by, checked(quantity, check_color_by),
                  "What the colour of a disk means."),
         bind_key("palette", &Film::palette, word(palettes), "The colours from slow to fast.")
             .default_text("the theme's"),
@@ -194,10 +202,15 @@ std::vector<Binding<Film>> gas_keys(PanelKinds kinds) {
 
 // Beads on a line would hide their own streaks.
 std::optional<bool> streaks_of(bool shown, const Node& node, Reading& reading) {
-    if (!shown || reading.box().dimension == 2) return shown;
-    reading.errors.add(node,
-                       "streaks are drawn behind disks in a plane, and beads on a line have none",
-                       "leave it out: world lines show where beads have been");
+    const int dimension = reading.box().dimension;
+    if (!shown || dimension == 2) return shown;
+    if (dimension == 1)
+        reading.errors.add(
+            node, "streaks are drawn behind disks in a plane, and beads on a line have none",
+            "leave it out: world lines show where beads have been");
+    else
+        reading.errors.add(node, "streaks are drawn behind disks in a plane, and spheres have none",
+                           "leave it out: `trails` show where spheres have been");
     return std::nullopt;
 }
 
@@ -313,6 +326,7 @@ void choose_panels(Node& film, std::size_t places, PanelKinds kinds, const Readi
         const PanelKind* kind = name != nullptr ? kind_of(kinds, name->text) : nullptr;
         if (kind == nullptr) return true;
         if (is_beside && !kind->can(Ability::comparison)) return false;
+        if (reading.box().dimension == 3 && !kind->in_space_instead.empty()) return false;
         return !kind->suits || kind->suits(reading.gas, reading.run);
     };
     std::vector<Node>& list = panels->items;

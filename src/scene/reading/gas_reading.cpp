@@ -15,30 +15,6 @@
 namespace carom {
 namespace {
 
-KeyTable<BoxDraft> box_table(int dimension) {
-    const auto of_length = [](double length) { return Vec(length, 0.0); };
-    return {
-        .name = "`box`",
-        .keys =
-            {bind_key("size", &Box::size,
-                      plane_vector(positive, "[width, height]")
-                          .with_list_hint(
-                              "a box is a plane, with two lengths: its width and its height"),
-                      "Width and height of the box; x goes from 0 to the width, y from 0 to "
-                      "the height.")
-                 .tried_as({"width", "height", "dimensions", "dims", "L"}),
-             bind_key("length", &Box::size, mapped(number(positive), of_length),
-                      "Instead of `size`: the length of a wire; x goes from 0 to the length."),
-             bind_key(
-                 "walls", &BoxDraft::sides, sides_notation(dimension),
-                 "What is at the edges of the box: walls or periodic boundaries. A `diffuse` wall "
-                 "reflects particles at their own speed in random directions, by the "
-                 "cosine law.")
-                 .tried_as({"boundary", "boundaries", "edges", "periodic"})},
-        .choices = {{{"size", "length"}, true}},
-        .refused = inelastic_keys()};
-}
-
 /// The initial positions of the particles of a species, as read from the file.
 struct PositionDraft {
     PositionRule rule;
@@ -52,53 +28,37 @@ struct SpeciesReading : SpeciesDraft {
     PositionDraft written_position;
 };
 
-std::optional<WithinRegion> region_in(const std::vector<double>& ends, const Node& node,
-                                      Reading& reading) {
-    if (ends.size() == 2 && ends[0] < ends[1])
-        return WithinRegion{{{ends[0], 0.0}, {ends[1], 0.0}}};
-    if (ends.size() == 4 && ends[0] < ends[2] && ends[1] < ends[3])
-        return WithinRegion{{{ends[0], ends[1]}, {ends[2], ends[3]}}};
-    reading.errors.add(node,
-                       ends.size() == 2
-                           ? "expected [x0, x1] with x0 < x1 for `within`"
-                           : "expected [x0, y0, x1, y1] with x0 < x1 and y0 < y1 for `within`",
-                       "write the smaller coordinates first");
-    return std::nullopt;
-}
-
-const char* corners(int dimension) { return dimension == 1 ? "[x0, x1]" : "[x0, y0, x1, y1]"; }
-
 KeyTable<PositionDraft> part_table(int dimension) {
-    const Limit count{2.0 * dimension};
     KeyTable<PositionDraft> table{
         .name = "`position`",
-        .keys = {
-            bind_key("within", &PositionDraft::rule,
-                     parsed(list_of(number(any_number), count.count(), count, corners(dimension)),
-                            region_in),
-                     "A part of the box; the particles start entirely inside it.")}};
+        .keys = {bind_key("within", &PositionDraft::rule,
+                          as<PositionRule>(as<WithinRegion>(corners_of(
+                              dimension, "within", "write the smaller coordinates first"))),
+                          "A part of the box; the particles start entirely inside it.")}};
     if (dimension == 1) {
         table.keys.front().key.required = true;
         table.refused = {{"text", "`text` needs disks, in a box with a `size`", "give `within`"},
                          {"side", "a wire has no partitions", "give `within`"},
                          {"of", "a wire has no partitions", "give `within`"}};
-    }
-    if (dimension == 2) {
+    } else {
+        const bool is_plane = dimension == 2;
         table.choices = {{{"within", "side"}, true}};
         table.refused = {
             {"inside", "`inside` is not a key of `position`", "did you mean `within`?"}};
         table.keys.push_back(
-            bind_key("side", &PositionDraft::side, kept(word({"left", "right", "bottom", "top"})),
+            bind_key("side", &PositionDraft::side, kept(word(side_names(dimension))),
                      "Instead of `within`: the part of the box on this side of a partition."));
         table.keys.push_back(bind_key("of", &PositionDraft::of, kept(text(1, most_name_letters)),
                                       "The name of that partition.")
                                  .default_text("the only one"));
-        table.keys.push_back(bind_key("text", &PositionDraft::letters,
-                                      kept(text(1, most_name_letters)),
-                                      "A word written with disks, as large as fits into `within`: "
-                                      "capitals, digits, . ! ? - + = ♥ ☺. Without `count`, it has "
-                                      "as many disks as fit with some space between them.")
-                                 .default_text("random places"));
+        table.keys.push_back(
+            bind_key("text", &PositionDraft::letters, kept(text(1, most_name_letters)),
+                     fmt::format("A word written with {0}, as large as fits into `within`{1}: "
+                                 "capitals, digits, . ! ? - + = ♥ ☺. Without `count`, it has as "
+                                 "many {0} as fit with some space between them.",
+                                 is_plane ? "disks" : "spheres",
+                                 is_plane ? "" : ", half way between its back and its front"))
+                .default_text("random places"));
     }
     return table;
 }
@@ -106,11 +66,12 @@ KeyTable<PositionDraft> part_table(int dimension) {
 Notation<PositionDraft> position_notation(int dimension) {
     const std::string phrase =
         fmt::format("{{within: {}}}{}", corners(dimension),
-                    dimension == 2 ? " (and a `text`) or {side: left, of: NAME}" : "");
+                    dimension == 1 ? "" : " (and a `text`) or {side: left, of: NAME}");
     const auto anywhere = mapped(one_of<bool>({{"random", false}, {"lattice", true}})
                                      .with_elsewhere({{"grid", "did you mean `lattice`?"},
                                                       {"crystal", "did you mean `lattice`?"},
                                                       {"hexagonal", "did you mean `lattice`?"},
+                                                      {"fcc", "did you mean `lattice`?"},
                                                       {"square", "did you mean `lattice`?"},
                                                       {"uniform", "did you mean `random`?"}}),
                                  [](bool on_lattice) {
@@ -136,8 +97,12 @@ Notation<Temperature> temperature_notation() {
                   }));
 }
 
+const char* particles_of(int dimension) {
+    return dimension == 1 ? "beads" : dimension == 2 ? "disks" : "spheres";
+}
+
 std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
-    const bool wire = dimension == 1;
+    const bool wire = dimension == 1, plane = dimension == 2;
     const auto mass =
         either(as<MassRule>(rule_for(positive)),
                as<MassRule>(one_of<Infinite>({{"infinite", {}}})
@@ -150,10 +115,13 @@ std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
                 .default_text("required when there are several species"),
             bind_key("count", &Species::count, whole(1, most_particles), "The number of particles.")
                 .tried_as({"n", "N", "number", "num", "amount", "particles"})
-                .default_text("the number of positions listed, or of disks in a `text`"),
-            bind_key(
-                "radius", &SpeciesReading::written_radius, rule_for(wire ? not_negative : positive),
-                wire ? "Half the length of each bead: 0 is a point." : "The radius of each disk.")
+                .default_text(fmt::format("the number of positions listed, or of {} in a `text`",
+                                          dimension == 3 ? "spheres" : "disks")),
+            bind_key("radius", &SpeciesReading::written_radius,
+                     rule_for(wire ? not_negative : positive),
+                     wire    ? "Half the length of each bead: 0 is a point."
+                     : plane ? "The radius of each disk."
+                             : "The radius of each sphere.")
                 .tried_as({"r", "R", "size"})
                 .default_value(wire ? "0" : number_text(std::get<double>(Species{}.radius))),
             bind_key("mass", &Species::mass, mass,
@@ -161,8 +129,9 @@ std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
                      "particle of mass `infinite`.")
                 .tried_as({"m", "M", "weight"}),
             bind_key("density", &Species::mass, as<Density>(rule_for(positive)),
-                     wire ? "Instead of `mass`: mass = density * 2 radius."
-                          : "Instead of `mass`: mass = density * pi * radius^2."),
+                     wire    ? "Instead of `mass`: mass = density * 2 radius."
+                     : plane ? "Instead of `mass`: mass = density * pi * radius^2."
+                             : "Instead of `mass`: mass = density * 4/3 * pi * radius^3."),
             bind_key("speed", &Species::velocity, as<Speed>(rule_for(not_negative)),
                      fmt::format("The speed of each particle, {}. Where momentum is conserved, as "
                                  "in a periodic {}, the directions are such that all momenta of "
@@ -207,9 +176,11 @@ std::vector<Binding<SpeciesLook>> look_keys(int dimension) {
                            .default_text("the radius, or 0.4 of the mean spacing for points"));
     else
         keys.push_back(bind_key("drawn_radius", &SpeciesLook::drawn_radius, number(positive),
-                                "The radius with which disks are drawn that are too small to be "
-                                "seen. They overlap in the picture where they pass each other, and "
-                                "the picture gives their true radius.")
+                                fmt::format("The radius with which {} are drawn that are too small "
+                                            "to be seen. They overlap in the picture where they "
+                                            "pass each other, and the picture gives their true "
+                                            "radius.",
+                                            particles_of(dimension)))
                            .default_text("the radius"));
     return keys;
 }
@@ -267,15 +238,18 @@ void complete_species(SpeciesReading& draft, const Node& item, int dimension, Er
         errors.add(*draft.side_of, "`of` applies only to a `side`",
                    "leave it out, or give `side` instead of `within`");
     const auto* radius = std::get_if<double>(&draft.radius);
-    if (dimension == 2 && draft.drawn_radius && radius != nullptr && *draft.drawn_radius < *radius)
+    if (dimension > 1 && draft.drawn_radius && radius != nullptr && *draft.drawn_radius < *radius)
         errors.add(*given(item, "drawn_radius"),
-                   fmt::format("disks of radius {:g} cannot be drawn smaller", *radius),
-                   "leave out `drawn_radius`; it enlarges disks that are too small to be seen");
+                   fmt::format("{} of radius {:g} cannot be drawn smaller", particles_of(dimension),
+                               *radius),
+                   fmt::format("leave out `drawn_radius`; it enlarges {} that are too small to be "
+                               "seen",
+                               particles_of(dimension)));
     if (letters == nullptr)
         draft.position = rule;
     else if (within != nullptr)
-        if (const auto pattern =
-                places_of_word(*letters, within->region, draft.radius, draft.count, errors))
+        if (const auto pattern = places_of_word(*letters, within->region, dimension, draft.radius,
+                                                draft.count, errors))
             draft.position = *pattern;
     if (draft.count == 0) draft.count = counted_places(draft, item, errors);
     if (draft.count > 0)
@@ -348,24 +322,6 @@ std::vector<Refused> inelastic_keys() {
     return refused;
 }
 
-Notation<BoxDraft> box_notation(int dimension) {
-    return parsed(mapping(box_table(dimension)),
-                  [dimension](BoxDraft box, const Node& node, Reading&) -> std::optional<BoxDraft> {
-                      // Not known; or a length where a plane is asked for.
-                      if (!on_each_axis(dimension, [&](int axis) { return box.size[axis] > 0.0; }))
-                          return std::nullopt;
-                      box.dimension = dimension;
-                      const auto both = [&](std::size_t first) {
-                          return box.sides[first].wall == box.sides[first + 1].wall
-                                     ? box.sides[first].wall
-                                     : Wall::solid;
-                      };
-                      box.walls = {both(0), both(2)};
-                      box.node = &node;
-                      return box;
-                  });
-}
-
 Notation<std::vector<SpeciesDraft>> gas_notation(int dimension) {
     const auto species = as<SpeciesDraft>(mapping(species_table(dimension)));
     return mapped(
@@ -427,16 +383,19 @@ void place_beside_partitions(std::vector<SpeciesDraft>& drafts, const Box& box,
                            spelling_hint(named.text, names, known));
             continue;
         }
-        const std::string& side = draft.side->text;
-        const bool across = side == "left" || side == "right";
-        if (across != (found->axis == 0)) {
-            errors.add(*draft.side, fmt::format("`{}` has no {} side", found->name, side),
-                       across ? "its sides are bottom and top" : "its sides are left and right");
+        const std::vector<std::string> sides = side_names(box.dimension);
+        const auto side =
+            static_cast<std::size_t>(std::ranges::find(sides, draft.side->text) - sides.begin());
+        const auto axis = static_cast<std::size_t>(found->axis);
+        if (side / 2 != axis) {
+            errors.add(
+                *draft.side, fmt::format("`{}` has no {} side", found->name, draft.side->text),
+                fmt::format("its sides are {} and {}", sides.at(2 * axis), sides.at(2 * axis + 1)));
             continue;
         }
         if (found->at < 0.0 || found->at > box.length(found->axis)) continue;
-        Region region{{0.0, 0.0}, box.size};
-        (side == "left" || side == "bottom" ? region.high : region.low)[found->axis] = found->at;
+        Region region{{}, box.size};
+        (side % 2 == 0 ? region.high : region.low)[found->axis] = found->at;
         draft.position = WithinRegion{region};
     }
 }

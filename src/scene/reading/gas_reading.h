@@ -1,4 +1,4 @@
-// The keys of `box` and `gas`, and the rules between their values: lengths of lists, names,
+// The keys of `gas`, and the rules between their values: lengths of lists, names,
 // positions, and room for the particles.
 #pragma once
 
@@ -17,16 +17,6 @@
 
 namespace carom {
 
-/// A box and the behaviour of its sides.
-struct BoxDraft : Box {
-    SidesDraft sides;
-    const Node* node = nullptr;
-};
-
-/// The notation of a box of one or two dimensions. It reads as nothing if an error leaves the size
-/// undetermined.
-Notation<BoxDraft> box_notation(int dimension);
-
 /// A species and how it is drawn.
 struct SpeciesDraft : Species, SpeciesLook {
     const Node* node = nullptr;                      ///< the item of `gas`
@@ -34,7 +24,8 @@ struct SpeciesDraft : Species, SpeciesLook {
     const Node *side = nullptr, *side_of = nullptr;  ///< side and partition in its position
 };
 
-/// The notation of the list of species, in its order, for a box of one or two dimensions.
+/// The notation of the list of species, in its order, for a box of one, two or three
+/// dimensions.
 Notation<std::vector<SpeciesDraft>> gas_notation(int dimension);
 
 /// Returns keys that would make collisions inelastic. They are refused, with an explanation, in

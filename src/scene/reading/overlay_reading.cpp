@@ -143,7 +143,7 @@ void check_followed(const CameraDraft& draft, const Node& node, Reading& reading
         (!draft.follow.front().particle && !draft.follow.front().species))
         reading.errors.add(*follow, "`follow` takes one particle or one species",
                            "for instance `follow: 0`");
-    else if ((box.is_periodic(0) || (box.dimension == 2 && box.is_periodic(1))) &&
+    else if (!on_each_axis(box.dimension, [&](int axis) { return !box.is_periodic(axis); }) &&
              !only_one(draft.follow.front(), reading.gas))
         reading.errors.add(*follow,
                            "in a periodic box a species has no centre of mass to be followed",
@@ -239,37 +239,33 @@ Notation<Region> region_notation(const std::string& key, const std::string& inst
                           Reading& reading) -> std::optional<Region> {
         const Box& box = reading.box();
         const bool is_view = key == "view";
-        const Region whole = is_view ? reach_of(box, reading.run) : Region{{0.0, 0.0}, box.size};
+        const Region whole = is_view ? reach_of(box, reading.run) : Region{{}, box.size};
         const bool can_widen = !box.contains(whole);
         const auto axes = static_cast<std::size_t>(box.dimension);
-        const char* form =
-            axes == 1 ? "[x0, x1] with x0 < x1" : "[x0, y0, x1, y1] with x0 < x1 and y0 < y1";
+        const std::string form =
+            fmt::format("{} with {}", corners(box.dimension), order_of_corners(box.dimension));
         if (ends.size() != 2 * axes) {
             reading.errors.add(node, fmt::format("expected {}{} for `{}`", instead, form, key),
-                               "the left and lower ends first");
+                               box.dimension == 3 ? "the left, lower and back ends first"
+                                                  : "the left and lower ends first");
             return std::nullopt;
         }
-        Region region{{0.0, 0.0}, {0.0, 0.0}};
-        bool is_right = true, is_inside = true;
-        for (std::size_t axis = 0; axis < axes; ++axis) {
-            const auto k = static_cast<Eigen::Index>(axis);
-            region.low[k] = ends[axis];
-            region.high[k] = ends[axes + axis];
-            is_right = is_right && region.low[k] < region.high[k];
-            is_inside =
-                is_inside && region.low[k] >= whole.low[k] && region.high[k] <= whole.high[k];
-        }
-        if (is_right && (is_inside || !(box.size[0] > 0.0))) return region;
+        const std::optional<Region> region = region_of(box.dimension, ends);
+        const bool is_inside = region && on_each_axis(box.dimension, [&](int axis) {
+                                   return region->low[axis] >= whole.low[axis] &&
+                                          region->high[axis] <= whole.high[axis];
+                               });
+        if (region && (is_inside || !(box.size[0] > 0.0))) return region;
         reading.errors.add(
             node,
-            is_right ? fmt::format("this {} reaches outside the box", is_view ? "view" : "region")
-                     : fmt::format("expected {} for `{}`", form, key),
-            !is_right   ? "write the smaller coordinates first"
+            region ? fmt::format("this {} reaches outside the box", is_view ? "view" : "region")
+                   : fmt::format("expected {} for `{}`", form, key),
+            !region     ? "write the smaller coordinates first"
             : can_widen ? "the box goes from 0 to its size, or as far as its walls move"
                         : "the box goes from 0 to its size");
         return std::nullopt;
     };
-    return parsed(list_of(number(any_number), 2, {4}, "[x0, y0, x1, y1]"), part);
+    return parsed(list_of(number(any_number), 2, {6}, corners(2)), part);
 }
 
 Notation<View> view_notation() {
@@ -419,9 +415,11 @@ Binding<Film> beside_key() {
                                "each run needs a `label` of its own");
     };
     const auto check_box = [](const bool& is_overlaid, const Node& node, Reading& reading) {
-        if (is_overlaid && reading.box().dimension == 1)
+        const int dimension = reading.box().dimension;
+        if (is_overlaid && dimension != 2)
             reading.errors.add(node, "two runs share one box in a plane only",
-                               "leave it out: each wire has a place of its own");
+                               fmt::format("leave it out: each {} has a place of its own",
+                                           dimension == 1 ? "wire" : "box"));
     };
     auto label = label_key();
     label.key.meaning = "The words under the other run, and in legends.";

@@ -17,8 +17,8 @@ namespace carom {
 /// The span of time in which a panel is shown.
 Notation<TimeSpan> show_notation();
 
-/// A part of the box, as the value of a key: [x0, y0, x1, y1], on a wire [x0, x1]. `instead` names,
-/// for messages, what else the key may take.
+/// A part of the box, as the value of a key: its corners (corners_of(), keys/notation.h). `instead`
+/// names, for messages, what else the key may take.
 Notation<Region> region_notation(const std::string& key, const std::string& instead = "");
 
 /// The view of the box: all of it or a part.

@@ -125,14 +125,36 @@ void check_component(const PanelSpec& panel, const Node& node, const PanelKind& 
                      Reading& reading) {
     const Node* written = given(node, "component");
     if (written == nullptr) return;
-    if (reading.box().dimension == 1)
+    const int dimension = reading.box().dimension;
+    const bool is_plane = dimension == 2;
+    if (dimension == 1)
         reading.errors.add(*written,
                            "on a wire there is one direction only: `component` has no meaning",
                            "leave it out");
+    else if (is_plane && panel.component == Component::z)
+        reading.errors.add(*written, "a box with two lengths has no z: `component` is `x` or `y`",
+                           "write `component: x` or `component: y`");
     else if (panel.component == Component::both && !kind.can(Ability::both))
         reading.errors.add(
-            *written, "expected `x` or `y` for `component` where positions are shown, found `both`",
+            *written,
+            fmt::format("expected {} for `component` where positions are shown, found `{}`",
+                        is_plane ? "`x` or `y`" : "`x`, `y` or `z`", written->text),
             "give a panel for each axis");
+    else if (panel.component == Component::both && (written->text == "both") != is_plane)
+        reading.errors.add(*written,
+                           fmt::format("a box with {} lengths has {} components",
+                                       is_plane ? "two" : "three", is_plane ? "two" : "three"),
+                           fmt::format("write `component: {}`", is_plane ? "both" : "all"));
+}
+
+// Refuses a panel that has no meaning in a box with three lengths.
+void check_space(const Node& node, const PanelKind& kind, Reading& reading) {
+    if (reading.box().dimension == 3 && !kind.in_space_instead.empty())
+        reading.errors.add(
+            node.is_mapping() ? *given(node, "kind") : node,
+            fmt::format("a panel of kind `{}` has no meaning in a box with three lengths",
+                        kind.name),
+            kind.in_space_instead);
 }
 
 // Returns whether the particle belongs to a species with infinite masses.
@@ -294,6 +316,7 @@ void complete_panel(PanelSpec& panel, const Node& node, PanelKinds kinds, Readin
     panel.place = place_of(node);
     const PanelKind* kind = kind_of(kinds, panel.kind);
     if (kind == nullptr) return;  // reported
+    check_space(node, *kind, reading);
     check_two_particles(panel, node, *kind, reading);
     check_component(panel, node, *kind, reading);
     if (kind->rule) kind->rule(panel, node, reading);

@@ -20,7 +20,7 @@ struct RunDraft : Run {
     std::vector<Placed<Caption>> captions;  ///< in order of time; equal times in the order listed
 };
 
-/// The notation of the run of a gas in a box of one or two dimensions.
+/// The notation of the run of a gas in a box of one, two or three dimensions.
 Notation<RunDraft> run_notation(int dimension);
 
 /// Reports each caption that is not on the screen long enough to be read. The scene is complete;

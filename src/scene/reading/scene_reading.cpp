@@ -37,13 +37,16 @@ KeyTable<SceneDraft> new_table(PanelKinds kinds, int dimension) {
                  bind_key("box", &SceneDraft::box, box_notation(dimension),
                           "The box that holds the gas.")
                      .required(),
-                 bind_key("gravity", &SurfacesDraft::gravity, placed(gravity_notation(dimension)),
+                 bind_key("gravity", &SurfacesDraft::gravity,
+                          placed(vector_of(dimension, any_number)),
                           "The acceleration of every particle and every piston.")
                      .default_text("none"),
-                 bind_key("partitions", &SurfacesDraft::partitions, partitions_notation(),
-                          "A list of straight walls across the box, from side to side.")
+                 bind_key("partitions", &SurfacesDraft::partitions, partitions_notation(dimension),
+                          dimension == 3
+                              ? "A list of flat walls across the box, from side to side."
+                              : "A list of straight walls across the box, from side to side.")
                      .default_text("none"),
-                 bind_key("obstacles", &SurfacesDraft::obstacles, obstacles_notation(),
+                 bind_key("obstacles", &SurfacesDraft::obstacles, obstacles_notation(dimension),
                           "A list of fixed bodies in the box.")
                      .default_text("none"),
                  bind_key("gas", &SceneDraft::species, gas_notation(dimension),
@@ -81,7 +84,7 @@ KeyTable<SceneDraft> new_table(PanelKinds kinds, int dimension) {
                      .tried_as({"measurements", "meters", "instruments", "observables"})
                      .default_text("none")},
         .refused = inelastic_keys()};
-    if (dimension == 2) return table;
+    if (dimension > 1) return table;
     for (const auto& [name, hint] :
          {std::pair{"partitions", "a bead of mass `infinite` divides it"},
           {"obstacles", "a bead of mass `infinite` stands still"}}) {
@@ -95,7 +98,7 @@ KeyTable<SceneDraft> new_table(PanelKinds kinds, int dimension) {
 }  // namespace
 
 const FixedTable<SceneDraft>& scene_table(PanelKinds kinds, int dimension) {
-    static std::array<MadeOnce<FixedTable<SceneDraft>>, 2> tables;
+    static std::array<MadeOnce<FixedTable<SceneDraft>>, 3> tables;
     return tables.at(static_cast<std::size_t>(dimension - 1)).of(kinds, [&] {
         return new_table(kinds, dimension);
     });

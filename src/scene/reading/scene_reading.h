@@ -30,7 +30,8 @@ struct SceneDraft : Scene, SurfacesDraft {
     const Node* measure_node = nullptr;      ///< the same
 };
 
-/// The table of keys of a scene with a box of one or two dimensions. For `kinds` see MadeOnce.
+/// The table of keys of a scene with a box of one, two or three dimensions. For `kinds` see
+/// MadeOnce.
 const FixedTable<SceneDraft>& scene_table(PanelKinds kinds, int dimension);
 
 }  // namespace carom

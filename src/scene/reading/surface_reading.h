@@ -1,12 +1,12 @@
 // The keys of partitions, obstacles and gravity, and the list of all surfaces of a box.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "physics/box.h"
 #include "scene/keys/binding.h"
 #include "scene/reading/wall_reading.h"
 
@@ -20,27 +20,26 @@ struct PassesDraft {
 };
 
 struct PartitionDraft : Partition, ActingDraft {
-    std::optional<double> x, y;
+    std::optional<double> x, y, z;
     PassesDraft passes;
     const Node* node = nullptr;
     bool is_known = true;  ///< false: it contains a mistake
 };
 
-Notation<std::vector<PartitionDraft>> partitions_notation();
+/// The partitions of a box of two or three dimensions.
+Notation<std::vector<PartitionDraft>> partitions_notation(int dimension);
 
 struct ObstacleDraft : Obstacle {
-    std::optional<Vec> disk;
+    std::optional<Vec> center;  ///< of a disk or a sphere
     std::optional<double> radius;
-    std::optional<std::array<double, 4>> rectangle;  ///< x0, y0, x1, y1
+    std::optional<Region> block;  ///< a rectangle or a cuboid
     std::vector<Vec> polygon, segment;
     const Node* node = nullptr;
     bool is_known = true;
 };
 
-Notation<std::vector<ObstacleDraft>> obstacles_notation();
-
-/// The acceleration of everything that can move: [x, y], or a number on a wire.
-Notation<Vec> gravity_notation(int dimension);
+/// The obstacles in a box of two or three dimensions.
+Notation<std::vector<ObstacleDraft>> obstacles_notation(int dimension);
 
 /// Gravity and the surfaces of a scene as read from the file, without the sides of the box.
 struct SurfacesDraft {
@@ -56,9 +55,9 @@ struct PlacedSurfaces {
     std::vector<std::string> others;  ///< names of surfaces left out because of a mistake
 };
 
-/// Returns all surfaces that are written without mistakes. `species` are the names of the species,
-/// to which partitions refer.
-PlacedSurfaces surfaces_of(const SidesDraft& sides, const SurfacesDraft& draft,
+/// Returns all surfaces of a box of this dimension that are written without mistakes. `species` are
+/// the names of the species, to which partitions refer.
+PlacedSurfaces surfaces_of(int dimension, const SidesDraft& sides, const SurfacesDraft& draft,
                            const std::vector<std::string>& species, Errors& errors);
 
 /// Returns the index of the species with this name; if there is none, reports it at `name` and

@@ -10,7 +10,7 @@ namespace {
 
 /// The walls of a box by their sides.
 struct SidesByName {
-    SideDraft left, right, bottom, top;
+    SideDraft left, right, bottom, top, back, front;
 };
 
 std::string_view kind_of(const SideDraft& side) {
@@ -90,23 +90,55 @@ KeyTable<SidesByName> sides_table(int dimension) {
         .rule = [](SidesByName& sides, const Node& node, Reading& reading) {
             const char* across[] = {"left", "right"};
             const char* up[] = {"bottom", "top"};
+            const char* deep[] = {"back", "front"};
             check_opposite(node, sides.left, sides.right, across, reading.errors);
             check_opposite(node, sides.bottom, sides.top, up, reading.errors);
+            check_opposite(node, sides.back, sides.front, deep, reading.errors);
         }};
-    const std::vector upright{
-        bind_key("bottom", &SidesByName::bottom, side, "The wall at y = 0.")
-            .default_text("`solid`"),
+    const std::vector further{
+        bind_key("bottom", &SidesByName::bottom, side, "The wall at y = 0."),
         bind_key("top", &SidesByName::top, side,
-                 "The wall at y = height; periodic if, and only if, the bottom one is.")
-            .default_text("`solid`")};
-    for (const Binding<SidesByName>& one : upright) {
-        const std::string& name = one.key.name;
-        if (dimension == 2) table.keys.push_back(one);
-        if (dimension == 1)
+                 "The wall at y = height; periodic if, and only if, the bottom one is."),
+        bind_key("back", &SidesByName::back, side,
+                 "The wall at z = 0, which is the farthest from the viewer."),
+        bind_key("front", &SidesByName::front, side,
+                 "The wall at z = depth; periodic if, and only if, the back one is.")};
+    const std::size_t count = 2 * static_cast<std::size_t>(dimension - 1);
+    for (std::size_t k = 0; k < count; ++k)
+        table.keys.push_back(Binding(further[k]).default_text("`solid`"));
+    if (dimension == 1)
+        for (const char* name : {"bottom", "top"})
             table.refused.push_back(
-                {name, "a wire has no `" + name + "`", "its ends are `left` and `right`"});
-    }
+                {name, fmt::format("a wire has no `{}`", name), "its ends are `left` and `right`"});
     return table;
+}
+
+KeyTable<BoxDraft> box_table(int dimension) {
+    const bool is_space = dimension == 3;
+    const auto plane = vector_of(2, positive, "[width, height]")
+                           .with_list_hint(
+                               "a box is a plane, with two lengths: its width and its "
+                               "height");
+    return {
+        .name = "`box`",
+        .keys =
+            {bind_key("size", &Box::size,
+                      is_space ? vector_of(3, positive, "[width, height, depth]") : plane,
+                      is_space ? "Width, height and depth of the box; x goes to the right, y up, "
+                                 "and z toward the viewer, each from 0."
+                               : "Width and height of the box; x goes from 0 to the width, y from "
+                                 "0 to the height.")
+                 .tried_as({"width", "height", "dimensions", "dims", "L"}),
+             bind_key("length", &Box::size, vector_of(1, positive),
+                      "Instead of `size`: the length of a wire; x goes from 0 to the length."),
+             bind_key(
+                 "walls", &BoxDraft::sides, sides_notation(dimension),
+                 "What is at the edges of the box: walls or periodic boundaries. A `diffuse` wall "
+                 "reflects particles at their own speed in random directions, by the "
+                 "cosine law.")
+                 .tried_as({"boundary", "boundaries", "edges", "periodic"})},
+        .choices = {{{"size", "length"}, true}},
+        .refused = inelastic_keys()};
 }
 
 }  // namespace
@@ -164,6 +196,12 @@ std::optional<Behaviour> behaviour_of(const ActingDraft& draft, const Node& node
     return draft.velocity ? Behaviour(driven) : Behaviour(Reflecting{});
 }
 
+std::vector<std::string> side_names(int dimension) {
+    std::vector<std::string> names{"left", "right", "bottom", "top", "back", "front"};
+    names.resize(2 * static_cast<std::size_t>(dimension));
+    return names;
+}
+
 Notation<SidesDraft> sides_notation(int dimension) {
     const auto all = [dimension](const SideDraft& side, const Node&, Reading&) {
         SidesDraft sides;
@@ -171,12 +209,32 @@ Notation<SidesDraft> sides_notation(int dimension) {
         return std::optional(sides);
     };
     const auto by_side = [](const SidesByName& sides) {
-        return SidesDraft{sides.left, sides.right, sides.bottom, sides.top};
+        return SidesDraft{sides.left, sides.right, sides.bottom,
+                          sides.top,  sides.back,  sides.front};
     };
     Notation<SidesDraft> sides =
         either(parsed(plain_walls(), all), mapped(mapping(sides_table(dimension)), by_side));
-    sides.write = [](const SidesDraft& four) { return std::string(word_of(four[0].wall)); };
+    sides.write = [](const SidesDraft& alike) { return std::string(word_of(alike[0].wall)); };
     return sides;
+}
+
+Notation<BoxDraft> box_notation(int dimension) {
+    return parsed(mapping(box_table(dimension)),
+                  [dimension](BoxDraft box, const Node& node, Reading&) -> std::optional<BoxDraft> {
+                      // Not known; or a length where a plane is asked for.
+                      if (!on_each_axis(dimension, [&](int axis) { return box.size[axis] > 0.0; }))
+                          return std::nullopt;
+                      box.dimension = dimension;
+                      const auto both = [&](std::size_t first) {
+                          return box.sides[first].wall == box.sides[first + 1].wall
+                                     ? box.sides[first].wall
+                                     : Wall::solid;
+                      };
+                      for (std::size_t axis = 0; axis < box.walls.size(); ++axis)
+                          box.walls[axis] = both(2 * axis);
+                      box.node = &node;
+                      return box;
+                  });
 }
 
 }  // namespace carom

@@ -1,10 +1,12 @@
-// The keys of the sides of a box, and those for the behaviour of a side or a partition.
+// The keys of `box` and its sides, and those for the behaviour of a side or a partition.
 #pragma once
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "physics/box.h"
 #include "scene/keys/binding.h"
 
 namespace carom {
@@ -34,10 +36,24 @@ struct SideDraft {
     const Node* node = nullptr;  ///< null: the scene does not give it
 };
 
-/// The sides of a box: left, right, bottom, top.
-using SidesDraft = std::array<SideDraft, 4>;
+/// The sides of a box: left, right, bottom, top, back, front; those that it does not have are not
+/// given.
+using SidesDraft = std::array<SideDraft, 6>;
+
+/// Returns the names of the sides of a box of this dimension, in the order of their numbers.
+std::vector<std::string> side_names(int dimension);
 
 /// The notation of `walls`: one word for all sides, or a value for each side.
 Notation<SidesDraft> sides_notation(int dimension);
+
+/// A box and the behaviour of its sides.
+struct BoxDraft : Box {
+    SidesDraft sides;
+    const Node* node = nullptr;
+};
+
+/// The notation of a box of one, two or three dimensions. It reads as nothing if an error leaves
+/// the size undetermined.
+Notation<BoxDraft> box_notation(int dimension);
 
 }  // namespace carom

@@ -23,7 +23,7 @@ std::string usual_template(const SceneTree& tree) {
     const Node* panels = given(tree.film, "panels");
     const bool has_one = panels != nullptr && panels->is_list() && panels->items.size() == 1;
     const bool is_beside = find(tree.film, "beside") != nullptr;
-    return has_one && !is_beside && tree.dimension == 2 ? "hero" : Film{}.template_name;
+    return has_one && !is_beside && tree.dimension > 1 ? "hero" : Film{}.template_name;
 }
 
 // Returns the node with the name of the film's template; a node in the scene with the default name
@@ -98,6 +98,13 @@ void load_style(SceneTree& tree, const fs::path& scene, const SceneResources& re
         wanted == Wanted::physics ? StyleCheck{}.families : resources.styles.families, errors);
 }
 
+// Whether a value of the box is a list of three, whatever its key is called: only a size is a list.
+bool has_three_lengths(const Node& box) {
+    return box.is_mapping() && std::ranges::any_of(box.items, [](const Node& value) {
+               return value.is_list() && value.items.size() == 3;
+           });
+}
+
 }  // namespace
 
 int dimension_of(const Node& root) {
@@ -105,12 +112,13 @@ int dimension_of(const Node& root) {
     if (box == nullptr) return 2;
     const Node* length = find(*box, "length");
     const Node* size = find(*box, "size");
+    const int by_size = has_three_lengths(*box) ? 3 : 2;
     if (length != nullptr)
-        return size == nullptr || length->source->origin > size->source->origin ? 1 : 2;
+        return size == nullptr || length->source->origin > size->source->origin ? 1 : by_size;
     const std::vector<std::string> names{"size", "length", "walls"};
     const bool is_misspelt = std::ranges::any_of(
         box->keys, [&](const Node& key) { return nearest_spelling(key.text, names) == names[1]; });
-    return is_misspelt ? 1 : 2;
+    return is_misspelt ? 1 : by_size;
 }
 
 void read_named_files(SceneTree& tree, const fs::path& scene, const SceneResources& resources,

@@ -22,8 +22,8 @@ struct SceneTree {
     Node style_file;
 };
 
-/// Returns the dimension of the box that a scene gives, before the scene is checked: keys and forms
-/// depend on it.
+/// Returns the dimension of the box that a scene gives, 1 to 3, before the scene is checked: keys
+/// and forms depend on it.
 int dimension_of(const Node& root);
 
 /// Reads the files that the checked scene `tree.root` at the path `scene` names, or their usual

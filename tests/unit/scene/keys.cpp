@@ -60,7 +60,7 @@ void visit_keys(const Visit& visit) {
     const auto each = [&](const Section& section) {
         for (std::size_t i = 0; i < section.keys.size(); ++i) visit(section, i);
     };
-    for (const int dimension : {1, 2})
+    for (const int dimension : {1, 2, 3})
         visit_sections(scene_table(panel_kinds(), dimension).section(), each);
     visit_sections(template_table(panel_kinds()).section(), each);
     visit_sections(set_table(panel_kinds(), figure_formats()).section(), each);
@@ -182,7 +182,7 @@ TEST_CASE("the names of a section are unique, and its choices name its keys") {
         for (const Choice& choice : section.choices)
             for (const std::string& name : choice.names) CHECK(names.count(name) == 1);
     };
-    for (const int dimension : {1, 2})
+    for (const int dimension : {1, 2, 3})
         visit_sections(scene_table(panel_kinds(), dimension).section(), check);
     visit_sections(template_table(panel_kinds()).section(), check);
 }

@@ -37,10 +37,20 @@ const std::string surfaces =
     "6, "
     "move: right, velocity: 2}, {at: 7, wall: left, mass: 3}, {at: 8, heat: {of: a, by: 2}}]\n";
 
+const std::string space =
+    "title: S\nbox: {size: [30, 22, 20], walls: {left: {temperature: 2}, front: {mass: 20}}}\n"
+    "gravity: [0, -1, 0]\npartitions:\n  - {name: p, x: 15, gaps: [[1, 2, 3, 4]]}\n  - {z: 9, "
+    "passes: {to_front: {faster_than: 1}}}\n"
+    "obstacles: [{sphere: [20, 10, 5], radius: 2}, {cuboid: [1, 1, 1, 2, 2, 3]}]\n"
+    "gas:\n  - {name: a, count: 9, speed: 1, radius: 0.3, position: {side: right, of: p}}\n"
+    "  - {name: b, radius: 0.2, position: [[5, 5, 5], [9, 9, 9]], velocity: [0, 1, 2]}\n"
+    "run:\n  until: 60\n  events: [{at: 3, open: p}, {at: 6, move: back, velocity: 0.1}]\n"
+    "film: {panels: [{kind: profile, component: z}]}\n";
+
 // True when it loads; a SceneError is the only other end.
 bool loads(const std::string& text) {
     try {
-        load_scene_text(text, "test.yaml", test::resources());
+        read_scene_text(text, "test.yaml", test::resources());
         return true;
     } catch (const SceneError& error) {
         CHECK(!error.diagnostics().empty());
@@ -69,7 +79,7 @@ std::string mutated(const std::string& scene, Random& random) {
 }  // namespace
 
 TEST_CASE("a scene cut off anywhere loads or is refused") {
-    for (const std::string& scene : {good, surfaces}) {
+    for (const std::string& scene : {good, surfaces, space}) {
         CHECK(loads(scene));
         for (std::size_t length = 0; length < scene.size(); ++length)
             loads(scene.substr(0, length));
@@ -79,7 +89,7 @@ TEST_CASE("a scene cut off anywhere loads or is refused") {
 TEST_CASE("a scene with random errors loads or is refused") {
     Random random(1, "mutations");
     const int scenes = 1500 / test::every_nth(1, 4);
-    for (const std::string& scene : {good, surfaces}) {
+    for (const std::string& scene : {good, surfaces, space}) {
         int loaded = 0;
         for (int i = 0; i < scenes; ++i) loaded += loads(mutated(scene, random)) ? 1 : 0;
         CHECK(loaded > 0);

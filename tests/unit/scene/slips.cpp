@@ -125,7 +125,7 @@ const std::vector<Slip>& slips() {
         {"size: [40, 30]", "size: (40, 30)", "2:13", "lists are written in brackets: [1, 2]"},
         {"size: [40, 30]", "size: 40x30", "2:13", "write `[40, 30]`"},
         {"size: [40, 30]", "size: 40", "2:13", "two numbers: [width, height]"},
-        {"size: [40, 30]", "size: [40, 30, 20]", "2:13",
+        {"size: [40, 30]", "size: [40, 30, 20, 10]", "2:13",
          "a box is a plane, with two lengths: its width and its height"},
         {"size: [40, 30]", "width: 40, height: 30", "2:7",
          "did you mean `size`? Or, `width` is a key of a figure and `figure_defaults`"},

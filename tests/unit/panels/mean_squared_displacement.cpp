@@ -209,7 +209,7 @@ std::string key_of(const plot::Plot& plot) {
 
 }  // namespace
 
-TEST_CASE("displacements that are bounded along one axis only do not level off") {
+TEST_CASE("displacements that are bounded along some axes only do not level off") {
     const std::string half = "size: [16, 12], walls: {left: periodic, right: periodic}";
     for (const bool all_origins : {false, true}) {
         PanelSpec spec = displacement();
@@ -217,7 +217,7 @@ TEST_CASE("displacements that are bounded along one axis only do not level off")
         const plot::Plot plot =
             plot_of(scene_with(half, "{name: a, count: 60, radius: 0.4, temperature: 1}", 100.0),
                     spec, 100.0);
-        CHECK(plot.account.find("along one axis") != std::string::npos);
+        CHECK(plot.account.find("along some axes") != std::string::npos);
         CHECK_FALSE(has_part(plot, "plateau"));
         CHECK(key_of(plot).find("plateau") == std::string::npos);
     }

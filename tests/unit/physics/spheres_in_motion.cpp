@@ -137,6 +137,22 @@ TEST_CASE("shares of energy in space are Beta distributed") {
               relative(std::sqrt(2.0 / pi) * v * v * std::exp(-0.5 * v * v), 1e-4));
 }
 
+TEST_CASE("each side of a closed partition in space has an equilibrium of its own") {
+    GasState s = state_named("space-divided");
+    s.asked.of = {{0, 1, 2, 3, 4, 5, 6}};
+    s.asked.thermal = ThermalMotion{.energy = 9.0, .degrees_of_freedom = 21.0};
+    const Law found = law(s.boxed(), LawOf::side_distribution, s.asked);
+    REQUIRE(found);
+    const auto moment = [&](int power) {
+        return summed(0.0, 9.0, [&](double e) {
+            return std::pow(e / 9.0, power) * energy_density(*found.equilibrium, e);
+        });
+    };
+    // Beta(3/2, 18/2) of seven spheres: 1/7 and 1/7 of (5/2) / (23/2).
+    CHECK(moment(1) == relative(1.0 / 7.0, 1e-4));
+    CHECK(moment(2) == relative(5.0 / (7.0 * 23.0), 1e-4));
+}
+
 TEST_CASE("a column of spheres has the exponent of its degrees of freedom") {
     // (1 - m g h / E)^((5 N - k) / 2 - 2) with k momenta along the floor that are conserved.
     for (const int conserved : {0, 1, 2})

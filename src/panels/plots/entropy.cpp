@@ -110,8 +110,9 @@ SeriesSubject entropy(const PanelContext& context, const PanelSpec& spec) {
                 levels.push_back(ReferenceLevel{"equilibrium", velocities.value});
         const auto& cells = places.cells().count;
         if (what != EntropyOf::velocities)
-            if (const Law positions = law(context.gas, LawOf::position_entropy,
-                                          {.cells = cells[0], .cells_up = cells[1], .cells_deep = cells[2]}))
+            if (const Law positions =
+                    law(context.gas, LawOf::position_entropy,
+                        {.cells = cells[0], .cells_up = cells[1], .cells_deep = cells[2]}))
                 levels.push_back(ReferenceLevel{"evenly spread", positions.value});
         return levels;
     };

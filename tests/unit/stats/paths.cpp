@@ -12,10 +12,10 @@
 #include "physics/gas.h"
 #include "physics/theory/billiard.h"
 #include "stats/pairs/bond_order.h"
+#include "stats/pairs/near_pairs.h"
 #include "stats/paths/free_flights.h"
 #include "stats/paths/lag_averages.h"
 #include "stats/paths/line_crossings.h"
-#include "stats/pairs/near_pairs.h"
 
 using namespace carom;
 using std::numbers::pi;

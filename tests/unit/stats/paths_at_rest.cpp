@@ -10,10 +10,10 @@
 
 #include "physics/gas.h"
 #include "stats/cell_averages.h"
+#include "stats/pairs/pair_correlation.h"
 #include "stats/paths/free_flights.h"
 #include "stats/paths/lag_averages.h"
 #include "stats/paths/line_crossings.h"
-#include "stats/pairs/pair_correlation.h"
 #include "stats/paths/paths.h"
 #include "stats/paths/thermal_times.h"
 #include "support/bodies.h"

@@ -28,11 +28,7 @@ SuitableSurface passable_surfaces(const Reading& reading) {
 }
 
 CrossedLine crossed_line(const Box& box, const CrossedAt& at, std::size_t surface) {
-    if (at.line) {
-        CrossedLine line{at.line->axis, at.line->at};
-        if (at.line->between) line.between = Gap(at.line->between->first, at.line->between->second);
-        return line;
-    }
+    if (at.line) return {at.line->axis, at.line->at, at.line->between};
     const std::int32_t number = at.surfaces.at(surface);
     return {box.surfaces.axis_of(number), box.place_of(number)};
 }

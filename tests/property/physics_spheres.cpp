@@ -23,15 +23,15 @@ using test::relative;
 
 TEST_CASE("spheres that meet at once do what the slow, obvious simulator says") {
     test::InstantTally tally;
-    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 600; ++seed) {
         CAPTURE(seed);
         const test::TiedScene scene = test::tied_scene(seed, 3);
         test::InstantComparison<3, test::SlowSimulator, EventLoop<3>>(
             scene.box, scene.particles, scene.start, {.bits = bits_of_double}, tally)
             .run(100.0, 20);
     }
-    CHECK(tally.instants > 1'000);
-    CHECK(tally.contacts > 5'000);
+    CHECK(tally.instants > 600);
+    CHECK(tally.contacts > 3'000);
     CHECK(tally.doubtful < 100);
 }
 

@@ -27,8 +27,7 @@ inline Gas small_scene(std::uint64_t seed, int dimension = 2) {
     for (int axis = 0; axis < dimension; ++axis) gas.box.size[axis] = random.uniform(2.5, longest);
     for (int axis = 0; axis < dimension; ++axis)
         gas.box.walls[static_cast<std::size_t>(axis)] = any_wall(random);
-    const double r =
-        0.5 * std::pow(gas.box.content(), 1.0 / dimension) * random.uniform(0.08, 0.2);
+    const double r = 0.5 * std::pow(gas.box.content(), 1.0 / dimension) * random.uniform(0.08, 0.2);
     gas.species.push_back({.name = "small",
                            .count = 1 + static_cast<int>(random.below(5)),
                            .radius = UniformDistribution{0.3 * r, r},

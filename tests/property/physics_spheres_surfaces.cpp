@@ -1,0 +1,137 @@
+// Spheres in boxes whose surfaces act, among obstacles and under gravity, against the slow, obvious
+// simulator, and the account of their energy.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <numbers>
+
+#include "physics/multiprecision/multiprecision.h"
+#include "physics/simulation.h"
+#include "support/goodness_of_fit.h"
+#include "support/same_surface_events.h"
+#include "support/scattered.h"
+#include "support/surface_scenes.h"
+#include "util/random.h"
+
+using namespace carom;
+
+namespace {
+
+// A sphere on a parabola that comes within a little of a body at its nearest to it: a ball, or an
+// edge or a corner of a cuboid.
+test::SurfaceScene grazing_scene(std::uint64_t seed) {
+    Random random(seed, "grazing parabolas in space");
+    test::SurfaceScene scene;
+    Box& box = scene.gas.box;
+    box = test::space_of({40.0, 40.0, 40.0});
+    const double radius = random.uniform(0.05, 1.0);
+    const Vec center{20.0, 20.0, 20.0};
+    const auto direction = [&] {
+        const Vec one{random.normal(), random.normal(), random.normal()};
+        return one / length(one);
+    };
+    Vec away = direction();
+    double distance = radius;
+    if (const auto which = random.below(3); which == 0) {
+        const double ball = random.uniform(0.1, 2.0);
+        box.surfaces.obstacles = {{"ball", Obstacle::Ball{center, ball}}};
+        distance += ball;
+    } else {
+        // The centre lies on an edge along z, or is a corner; the body extends away from it.
+        if (which == 1) away = Vec{away[0], away[1]} / length(Vec{away[0], away[1]});
+        Vec low = center, high = center;
+        for (int axis = 0; axis < 3; ++axis)
+            (away[axis] > 0.0 ? low : high)[axis] += away[axis] > 0.0 ? -2.0 : 2.0;
+        if (which == 1) low[2] = 19.0, high[2] = 21.0;
+        box.surfaces.obstacles = {{"block", Obstacle::Cuboid{low, high}}};
+    }
+    box.surfaces.gravity = random.uniform(0.0, 1.5) * direction();
+    const double miss =
+        std::pow(10.0, random.uniform(-15.0, -2.0)) * (random.uniform() < 0.5 ? 1.0 : -1.0);
+    const Vec nearest = center + (distance + miss) * away;
+    const Vec some = direction();
+    const Vec velocity = random.uniform(1.0, 3.0) * (some - dot(some, away) * away);
+    const double time = random.uniform(0.5, 3.0);
+    const Vec& gravity = box.surfaces.gravity;
+    scene.gas.species = {
+        {.name = "sphere",
+         .count = 1,
+         .radius = radius,
+         .velocity = Velocity{{velocity - time * gravity}},
+         .position = Places{{nearest - time * velocity + 0.5 * time * time * gravity}}}};
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("spheres among surfaces do what the slow, obvious simulator says") {
+    test::SurfaceTally tally;
+    for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+        CAPTURE(seed);
+        test::require_same_surface_events<3>(test::small_box(seed, 3), seed, tally, 60);
+    }
+    CHECK(tally.pairs > 3'000);
+    CHECK(tally.hits > 35'000);
+    CHECK(tally.events > 1'200);
+    CHECK(tally.ended < 100);
+    // Four tests of a run: chance fails one in a million.
+    const auto is_uniform = [](double x) { return 0.5 * (1.0 + x); };
+    CHECK(tally.sines.size() > 1'000);
+    CHECK(test::chance(tally.sines, is_uniform) > 1e-6);
+    CHECK(test::chance(tally.turns, is_uniform) > 1e-6);
+    CHECK(test::chance(tally.flux, [](double v) { return 1.0 - std::exp(-0.5 * v * v); }) > 1e-6);
+    CHECK(test::chance(tally.along,
+                       [](double v) { return 0.5 * std::erfc(-v / std::numbers::sqrt2); }) > 1e-6);
+}
+
+TEST_CASE("spheres among surfaces in many bits do what the slow, obvious simulator says") {
+    test::SurfaceTally tally;
+    for (std::uint64_t seed = 5001; seed <= 5060; ++seed) {
+        CAPTURE(seed);
+        test::require_same_surface_events<3, Real>(test::small_box(seed, 3), seed, tally, 30,
+                                                   {.bits = 128});
+    }
+    CHECK(tally.pairs > 100);
+    CHECK(tally.hits > 600);
+}
+
+TEST_CASE("a parabola that grazes an edge, a corner or a ball touches it, or does not") {
+    test::SurfaceTally tally;
+    for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
+        CAPTURE(seed);
+        test::require_same_surface_events<3>(grazing_scene(seed), 0, tally, 10);
+    }
+    CHECK(tally.scenes > 1500);
+    CHECK(tally.hits > 1000);
+}
+
+TEST_CASE("the energy of spheres among surfaces that act is accounted for") {
+    int whole = 0;
+    for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+        CAPTURE(seed);
+        const test::SurfaceScene scene = test::small_box(seed, 3);
+        Run run;
+        run.events = scene.events;
+        try {
+            Simulation simulation(scene.gas, run);
+            double largest = 0.0;
+            const auto largest_term = [](const EnergyAccount& its) {
+                return std::max({its.kinetic, std::abs(its.potential), its.pistons,
+                                 std::abs(its.work), std::abs(its.heat)});
+            };
+            for (int time = 1; time <= 20; ++time) {
+                simulation.advance_to(time);
+                largest = std::max(largest, largest_term(simulation.energy_account()));
+            }
+            const EnergyAccount end = simulation.energy_account();
+            CHECK(end.relative_error.value() * largest_term(end) < 1e-12 * largest);
+            ++whole;
+        } catch (const std::exception&) {
+            continue;  // no room for the spheres, a surface that would close on one, a crushed gas
+        }
+    }
+    CHECK(whole > 80);
+}

@@ -111,9 +111,6 @@ void place_surfaces(SceneDraft& draft, Errors& errors) {
     draft.surfaces_place = place_of(first_acting(draft, placed));
 }
 
-// Whether physics can say which places and surfaces are possible in a box.
-bool has_known_rules(const Box& box) { return box.dimension < 3; }
-
 // Boxes with three lengths are read, checked and described, but only those with fewer can be
 // simulated and drawn.
 void refuse_space(const Scene& scene) {
@@ -148,11 +145,9 @@ void complete_physics(SceneDraft& draft, const Node& root, Errors& errors) {
     for (const Node* node : draft.written_run.event_nodes)
         draft.event_places.push_back(place_of(*node));
     if (!draft.box) return;
-    if (has_known_rules(*draft.box)) {
-        check_feasibility(*draft.box, draft.species, draft.seed, draft.run, errors);
-        check_surfaces(draft.gas, {draft.run, draft.surface_nodes, draft.written_run.event_nodes},
-                       errors);
-    }
+    check_feasibility(*draft.box, draft.species, draft.seed, draft.run, errors);
+    check_surfaces(draft.gas, {draft.run, draft.surface_nodes, draft.written_run.event_nodes},
+                   errors);
     check_nudges(draft.written_run, draft.gas, errors);
     if (const auto problem = time_step_problem(*draft.box, draft.run))
         errors.add(*draft.written_run.step, problem->message, problem->hint);

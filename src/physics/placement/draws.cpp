@@ -139,7 +139,7 @@ Eigen::ArrayXd draw_inverse_masses(const Gas& gas, std::size_t species,
         const int dimension = gas.box.dimension;
         Eigen::ArrayXd powers = radii;
         for (int k = 1; k < dimension; ++k) powers *= radii;
-        return (value * size_of_unit_radius(dimension) * powers).inverse();
+        return (value * content_of_ball(1.0, dimension) * powers).inverse();
     }
     return draw_positive(gas, species, std::get<ValueRule>(rule), "mass", false).inverse();
 }

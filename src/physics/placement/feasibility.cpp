@@ -93,7 +93,7 @@ class PlacementCheck {
         const auto refuse = [&](std::size_t s, std::int64_t count, double radius,
                                 const Vec& sides) {
             const double volume = content_of(sides, 3);
-            const double one = size_of_unit_radius(3) * radius * radius * radius;
+            const double one = content_of_ball(radius, 3);
             const double covered = static_cast<double>(count) * one / volume;
             if (covered > beyond_all && shortest(sides, 3) >= least_diameters * 2.0 * radius)
                 found_.push_back({.kind = Kind::saturated,

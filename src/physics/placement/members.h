@@ -6,13 +6,13 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cstddef>
-#include <numbers>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "physics/gas.h"
 #include "physics/particles.h"
+#include "physics/vec.h"
 
 namespace carom {
 
@@ -22,12 +22,6 @@ bool has_position(const Species& species) {
     return std::holds_alternative<Rule>(species.position);
 }
 
-/// The size of a particle of radius 1: the length of a bead, the area of a disk or the volume of a
-/// sphere.
-inline double size_of_unit_radius(int dimension) {
-    return dimension == 1 ? 2.0 : dimension == 2 ? std::numbers::pi : 4.0 / 3.0 * std::numbers::pi;
-}
-
 /// The size covered by particles of these radii: the lengths of beads, the areas of disks or the
 /// volumes of spheres.
 template <typename Radii>
@@ -35,7 +29,7 @@ double sum_of_sizes(const Box& box, const Radii& radii) {
     const double sum = box.dimension == 1   ? radii.sum()
                        : box.dimension == 2 ? radii.square().sum()
                                             : radii.cube().sum();
-    return size_of_unit_radius(box.dimension) * sum;
+    return content_of_ball(1.0, box.dimension) * sum;
 }
 
 /// Calls f(species, its first particle, how many it has) for each species.

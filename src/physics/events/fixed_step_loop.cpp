@@ -86,7 +86,8 @@ void FixedStepLoop::reflect(std::vector<Collision>* record) {
         }
 }
 
-// Sweep along x: only particles that are near each other in x are compared, across a periodic side too.
+// Sweep along x: only particles that are near each other in x are compared, across a periodic side
+// too.
 void FixedStepLoop::collide_overlapping(std::vector<Collision>* record) {
     const auto along = [&](std::int32_t i) { return box_.wrapped(0, now_.position(i, 0)); };
     std::ranges::sort(order_, {}, [&](std::int32_t i) { return std::pair(along(i), i); });

@@ -22,8 +22,8 @@ namespace carom {
 
 class FixedStepLoop {
   public:
-    /// Disks, or spheres, in a box with plain walls; `step` > 0 is a time. After `most` collisions advance()
-    /// throws CollisionError.
+    /// Disks, or spheres, in a box with plain walls; `step` > 0 is a time. After `most` collisions
+    /// advance() throws CollisionError.
     FixedStepLoop(const Box& box, const Particles& particles, double step,
                   std::int64_t most = std::numeric_limits<std::int64_t>::max());
 

@@ -122,6 +122,7 @@ const Node& node_of(const SurfaceProblem& problem, const SurfaceNodes& nodes) {
             return key_or(item, {"polygon", "segment"}).items.at(problem.item);
         case Its::obstacle_outside:
         case Its::obstacle_too_wide:
+        case Its::cuboid_empty:
             return key_or(item, {"disk", "rectangle", "polygon", "segment", "sphere", "cuboid"});
         default:
             return item;

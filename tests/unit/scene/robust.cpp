@@ -43,7 +43,7 @@ const std::string space =
     "passes: {to_front: {faster_than: 1}}}\n"
     "obstacles: [{sphere: [20, 10, 5], radius: 2}, {cuboid: [1, 1, 1, 2, 2, 3]}]\n"
     "gas:\n  - {name: a, count: 9, speed: 1, radius: 0.3, position: {side: right, of: p}}\n"
-    "  - {name: b, radius: 0.2, position: [[5, 5, 5], [9, 9, 9]], velocity: [0, 1, 2]}\n"
+    "  - {name: b, radius: 0.2, position: [[5, 5, 5], [9, 9, 12]], velocity: [0, 1, 2]}\n"
     "run:\n  until: 60\n  events: [{at: 3, open: p}, {at: 6, move: back, velocity: 0.1}]\n"
     "film: {panels: [{kind: profile, component: z}]}\n";
 

@@ -325,6 +325,16 @@ template <typename Scope, typename... Arguments>
     return search<false, false>(scope, arguments...);
 }
 
+// A loop for each kind of pairs, but only one for all kinds of spheres that may fall: walls that
+// act take more time than it saves, and each loop takes long to compile.
+template <typename Scope, typename... Arguments>
+[[gnu::always_inline]] inline auto search_in(const Scope& scope, Arguments&&... arguments) {
+    if constexpr (Falls<typename Scope::Body> && Scope::axes == 3)
+        return search<true, false>(scope, arguments...);
+    else
+        return search_by_kind(scope, arguments...);
+}
+
 // Bodies that fly straight, or that may fall, with or without gravity.
 template <typename Body, typename... Arguments>
 [[gnu::always_inline]] inline auto search_bodies(
@@ -335,11 +345,11 @@ template <typename Body, typename... Arguments>
         bool falls = false;
         for (const double g : pairing.gravity) falls |= g != 0.0;
         if (falls)
-            return search_by_kind(Scope<Body, true>{bodies.data(), properties, pairing, near, now},
-                                  arguments...);
+            return search_in(Scope<Body, true>{bodies.data(), properties, pairing, near, now},
+                             arguments...);
     }
-    return search_by_kind(Scope<Body, false>{bodies.data(), properties, pairing, near, now},
-                          arguments...);
+    return search_in(Scope<Body, false>{bodies.data(), properties, pairing, near, now},
+                     arguments...);
 }
 
 }  // namespace

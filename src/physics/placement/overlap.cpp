@@ -59,6 +59,10 @@ class ParticlesInCells {
                 1, static_cast<int>(std::floor(box.size[axis] / std::max(across, one_each))));
             per_length_[axis] = cells_[axis] / box.size[axis];
         }
+        for (std::size_t k = 0; k < rows_after.size(); ++k)
+            for (std::size_t axis = dimension; axis-- > 0;)
+                steps_[k] = steps_[k] * static_cast<std::size_t>(cells_[axis]) +
+                            static_cast<std::size_t>(rows_after[k][axis]);
         sort();
     }
 
@@ -130,35 +134,33 @@ class ParticlesInCells {
         for (std::size_t axis = 0; axis < dimension; ++axis)
             is_inside = is_inside && cell[axis] > 0 && cell[axis] + 1 < cells_[axis];
         double deepest = 0.0;
-        for (const Cell& row : rows_after()) {
-            const bool own = row == Cell{};
-            if (is_inside) {
-                Cell its = cell;
-                for (std::size_t axis = 1; axis < dimension; ++axis) its[axis] += row[axis];
-                const std::size_t near = number_of(its);
-                deepest = std::max(
-                    deepest, deepest_between(here, in_cells(own ? near : near - 1, near + 1)));
-                continue;
+        if (is_inside) {
+            deepest = deepest_between(here, in_cells(number, number + 1));
+            for (std::size_t k = 1; k < rows_after.size(); ++k) {
+                const std::size_t near = number + steps_[k];
+                deepest = std::max(deepest, deepest_between(here, in_cells(near - 1, near + 1)));
             }
-            for (int right = own ? 0 : -1; right <= 1; ++right) {
-                Cell offset = row;
+            return deepest;
+        }
+        for (std::size_t k = 0; k < rows_after.size(); ++k)
+            for (int right = k == 0 ? 0 : -1; right <= 1; ++right) {
+                Cell offset = rows_after[k];
                 offset[0] = right;
                 const auto near = other(cell, offset);
                 if (!near) continue;
                 deepest = std::max(deepest, deepest_between(here, in_cells(*near, *near)));
             }
-        }
         return deepest;
     }
 
-    // The rows along x that are the same as that of a cell, or come after it: those of a plane
-    // above it, those of space in the same layer and in the next.
-    static constexpr auto rows_after() {
+    // The rows along x: that of a cell, and those that come after it: in a plane the one above it,
+    // in space another in the same layer and three in the next.
+    static constexpr auto rows_after = [] {
         if constexpr (dimension == 2)
             return std::array<Cell, 2>{{{0, 0}, {0, 1}}};
         else
             return std::array<Cell, 5>{{{0, 0, 0}, {0, 1, 0}, {0, -1, 1}, {0, 0, 1}, {0, 1, 1}}};
-    }
+    }();
 
     // A cell next to another, across a periodic side too; nothing beyond a wall.
     std::optional<std::size_t> other(Cell cell, const Cell& offset) const {
@@ -176,6 +178,7 @@ class ParticlesInCells {
     const Particles& particles_;
     const Sample& sample_;
     Cell cells_{};
+    std::array<std::size_t, rows_after.size()> steps_{};  ///< to the rows after a cell, modulo 2^64
     Vec per_length_;
     std::vector<std::int32_t> begins_;  ///< first index in sorted_ for each cell, and the end of
                                         ///< the last cell

@@ -117,7 +117,15 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"panels_displacement", several_places},  // times against `until`
     {"panels_order_wire", several_places},
     {"panels_range", several_places},
-    {"speed_alone", several_places},  // speeds against walls and counts
+    {"space_events", several_places},  // names and lengths against the box
+    {"space_film", several_places},    // what is drawn against the box
+    {"space_letters", several_places},
+    {"space_overlaid", several_places},
+    {"space_places", several_places},
+    {"space_refused", several_places},
+    {"space_surfaces", several_places},  // places against the box
+    {"space_walls", several_places},     // a side against the opposite one
+    {"speed_alone", several_places},     // speeds against walls and counts
     {"speed_unbalanced", several_places},
     {"speed_wire", several_places},
     {"surface_diffuse_reversal", several_places},  // a wall against an event
@@ -225,7 +233,8 @@ const std::vector<Case> sets{
      false},
 };
 
-// A scene of a plane and one of a wire, and lines that replace the one with the same key.
+// A scene of a plane, one of a wire and one of space, and lines that replace the one with the same
+// key.
 std::string plane(const std::string& species, const std::string& more = "") {
     return "title: T\nbox: {size: [40, 30]}\ngas: [{name: a, count: 2" + species +
            "}]\nrun: {until: 10}\n" + more;
@@ -234,6 +243,12 @@ std::string plane(const std::string& species, const std::string& more = "") {
 std::string wire(const std::string& species, const std::string& box = "length: 40") {
     return "title: T\nbox: {" + box + "}\ngas: [{name: a, count: 2" + species +
            "}]\nrun: {until: 10}\n";
+}
+
+std::string space(const std::string& species, const std::string& more = "",
+                  const std::string& box = "size: [40, 30, 20]") {
+    return "title: T\nbox: {" + box + "}\ngas: [{name: a, count: 2" + species +
+           "}]\nrun: {until: 10}\n" + more;
 }
 
 // One fault each, or none.
@@ -266,6 +281,19 @@ const std::vector<Case> cases{
     {wire("", "length: 40, walls: {left: periodic, right: periodic}"), true},
     {wire("", "length: 40, walls: {left: solid, top: solid}"), false},
     {wire("", "length: 40, size: [40, 40]"), false},
+    {space(""), true},
+    {space(", velocity: [1, 2, 3], position: {within: [1, 1, 1, 9, 9, 9]}"), true},
+    {space(", velocity: [1, 2]"), false},
+    {space(", position: {within: [1, 1, 9, 9]}"), false},
+    {space("", "gravity: [0, -1, 0]\npartitions: [{z: 5, gaps: [[1, 2, 3, 4]]}]\n"), true},
+    {space("", "partitions: [{z: 5, gaps: [[1, 2]]}]\n"), false},
+    {space("", "obstacles: [{sphere: [9, 9, 9], radius: 2}]\n"), true},
+    {space("", "obstacles: [{disk: [9, 9], radius: 2}]\n"), false},
+    {space("", "", "size: [40, 30, 20], walls: {back: periodic, front: periodic}"), true},
+    {space("", "", "size: [40, 30, -20]"), false},
+    {space("", "", "size: [40, 30, 20, 10]"), false},
+    {plane("", "obstacles: [{sphere: [9, 9, 9], radius: 2}]\n"), false},
+    {plane("", "partitions: [{z: 5}]\n"), false},
     {plane("", "carom: 2\n"), false},
     {plane("", "seed: -1\n"), false},
     {plane("", "seed: 9007199254740991\n"), true},

@@ -55,7 +55,7 @@ void add_keys(const Section& section, const std::string& prefix, const std::set<
 
 KnownKeys keys_of_scenes() {
     KnownKeys found;
-    for (const int dimension : {1, 2})
+    for (const int dimension : {1, 2, 3})
         add_keys(scene_table(panel_kinds(), dimension).section(), "", {}, found);
     return found;
 }

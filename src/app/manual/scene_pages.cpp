@@ -24,18 +24,16 @@ namespace {
 
 /// All sections: of scenes, of film templates and of figure sets.
 struct SceneLanguage {
-    Section plane = scene_table(panel_kinds(), 2).section();
-    Section wire = scene_table(panel_kinds(), 1).section();
+    SectionsOfBoxes scene = sections_of_scenes(panel_kinds());
     Section film_template = template_table(panel_kinds()).section();
     Section set = set_table(panel_kinds(), figure_formats()).section();
-    std::vector<SectionPair> sections = {};
+    std::vector<SectionsOfBoxes> sections = {};
 
     SceneLanguage() {
-        const Section& layout = section_of(film_template, "layout");
         std::set<std::string> names;
-        const std::vector<SectionPair> files{{&plane, &wire}, {&layout, &layout}, {&set, &set}};
-        for (const SectionPair& file : files)
-            for (const SectionPair& section : sections_within(*file.plane, *file.wire))
+        for (const SectionsOfBoxes& file :
+             {scene, in_any_box(section_of(film_template, "layout")), in_any_box(set)})
+            for (const SectionsOfBoxes& section : sections_within(file))
                 if (names.insert(section.plane->name).second) sections.push_back(section);
     }
     SceneLanguage(const SceneLanguage&) = delete;
@@ -81,34 +79,38 @@ std::vector<const Key*> all_keys(const Section& section) {
     return keys;
 }
 
-void add_section(const SectionPair& section, std::vector<ManualSection>& page) {
-    const auto& [plane, wire] = section;
-    std::vector<std::string> rules = choices_in_words(*plane);
-    page.push_back({.title = capitalised(plane->name),
-                    .paragraphs = std::move(rules),
-                    .definitions = definitions_of(*plane, all_keys(*plane))});
-    const OnWire others = on_wire(section);
-    if (others.keys.empty() && others.missing.empty()) return;
-    ManualSection on_wire{.title = capitalised(plane->name) + " on a wire",
-                          .definitions = definitions_of(*wire, others.keys)};
-    if (!others.missing.empty())
-        on_wire.paragraphs = {fmt::format("Not there: {}.", listed(others.missing, "and", "`"))};
-    page.push_back(std::move(on_wire));
+void add_section(const SectionsOfBoxes& section, std::vector<ManualSection>& page) {
+    const Section& plane = *section.plane;
+    page.push_back({.title = capitalised(plane.name),
+                    .paragraphs = choices_in_words(plane),
+                    .definitions = definitions_of(plane, all_keys(plane))});
+    for (const auto& [other, where] :
+         {std::pair{section.wire, " on a wire"}, {section.space, " in space"}}) {
+        const Otherwise found = otherwise(plane, *other);
+        if (!found.any()) continue;
+        ManualSection elsewhere{.title = capitalised(plane.name) + where,
+                                .definitions = definitions_of(*other, found.keys)};
+        if (!found.missing.empty())
+            elsewhere.paragraphs = {
+                fmt::format("Not there: {}.", listed(found.missing, "and", "`"))};
+        page.push_back(std::move(elsewhere));
+    }
 }
 
 // A key that several sections say alike, as those of panels in films and figures, stands once.
 void add_key(const std::string& name, const SceneLanguage& language,
              std::vector<ManualSection>& page) {
     std::vector<std::pair<Definition, std::vector<std::string>>> found;
-    for (const auto& [plane, wire] : language.sections)
-        for (const Section* section : {plane, wire == plane ? nullptr : wire}) {
-            if (section == nullptr) continue;
+    for (const auto& [plane, wire, space] : language.sections)
+        for (const auto& [section, where] :
+             {std::pair{plane, ""}, {wire, " on a wire"}, {space, " in space"}}) {
+            if (section == plane && *where != '\0') continue;
             const std::size_t index = section->index(name);
             if (index == section->keys.size()) continue;
             const Definition said = definition_of(*section, section->keys[index]);
             const auto same = std::ranges::find_if(
                 found, [&](const auto& one) { return one.first.meaning == said.meaning; });
-            const std::string place = section == plane ? plane->name : wire->name + " on a wire";
+            const std::string place = section->name + where;
             if (same == found.end())
                 found.push_back({said, {place}});
             else if (section == plane)
@@ -125,7 +127,8 @@ bool add_path(const std::string& path, const SceneLanguage& language,
     const auto is_number = [](const std::string& word) {
         return !word.empty() && word.find_first_not_of("0123456789") == std::string::npos;
     };
-    std::vector<const Section*> inside{&language.plane, &language.wire};
+    const auto& [plane, wire, space] = language.scene;
+    std::vector<const Section*> inside{plane, wire, space};
     std::istringstream words(path);
     Definition last;
     for (std::string word; std::getline(words, word, '.');) {
@@ -145,7 +148,7 @@ bool add_path(const std::string& path, const SceneLanguage& language,
     if (last.term.empty()) return false;
     page.push_back({.title = path, .paragraphs = {last.meaning}});
     std::set<std::string> shown;
-    for (const SectionPair& section : language.sections)
+    for (const SectionsOfBoxes& section : language.sections)
         for (const Section* one : inside)
             if (section.plane->name == one->name && shown.insert(one->name).second)
                 add_section(section, page);
@@ -160,7 +163,7 @@ std::vector<std::string> kind_names() {
 
 std::vector<std::string> section_names(const SceneLanguage& language) {
     std::vector<std::string> names;
-    for (const SectionPair& section : language.sections)
+    for (const SectionsOfBoxes& section : language.sections)
         if (const std::string name = short_name(*section.plane);
             std::ranges::find(names, name) == names.end())
             names.push_back(name);
@@ -248,7 +251,7 @@ ManualPage page_of_panel(const std::string& name) {
 ManualPage page_of_scene() {
     const SceneLanguage language;
     ManualPage page{"carom scene", "what a scene file says", {}};
-    add_section({&language.plane, &language.wire}, page.sections);
+    add_section(language.scene, page.sections);
     page.sections.push_back(
         {.title = "Sections", .paragraphs = {listed(section_names(language)) + "."}});
     page.sections.push_back(
@@ -265,7 +268,7 @@ ManualPage page_of_scene(const std::string& name) {
     const bool is_path = name.find('.') != std::string::npos;
     if (is_path && add_path(name, language, page.sections)) return page;
     add_key(name, language, page.sections);
-    for (const SectionPair& section : language.sections)
+    for (const SectionsOfBoxes& section : language.sections)
         if (short_name(*section.plane) == name) add_section(section, page.sections);
     if (!page.sections.empty()) return page;
     std::vector<std::string> names;
@@ -283,9 +286,10 @@ std::vector<SceneName> scene_names() {
     const auto add = [&](const std::string& name, const std::string& meaning) {
         if (seen.insert(name).second) names.push_back({name, meaning});
     };
-    for (const auto& [plane, wire] : language.sections) add(short_name(*plane), plane->name);
-    for (const auto& [plane, wire] : language.sections)
-        for (const Section* section : {plane, wire})
+    for (const SectionsOfBoxes& one : language.sections)
+        add(short_name(*one.plane), one.plane->name);
+    for (const auto& [plane, wire, space] : language.sections)
+        for (const Section* section : {plane, wire, space})
             for (const Key& key : section->keys) add(key.name, key.meaning);
     return names;
 }

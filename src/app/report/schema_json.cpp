@@ -188,25 +188,34 @@ Json section_schema(const Section& section) {
     return schema;
 }
 
-// The keys that differ between a wire and a plane stand in the branches of a condition on
-// `box.length`, as the loader decides: so an editor offers the keys of the one that is written,
-// and of the plane where nothing is written yet.
-void part_dimensions(Json& plane, const Json& wire) {
-    Json on_wire = Json::object();
-    Json in_plane = Json::object();
+// A condition on the box: `given` holds of it.
+Json if_box(Json given) {
+    Json condition = needs({"box"});
+    condition["properties"]["box"] = std::move(given);
+    return condition;
+}
+
+// The keys that differ between boxes stand in the branches of conditions on `box.length` and on the
+// number of lengths in `box.size`, as the loader decides: so an editor offers the keys of the box
+// that is written, and of the plane where nothing is written yet.
+void part_dimensions(Json& plane, const Json& wire, const Json& space) {
+    Json on_wire = Json::object(), in_plane = Json::object(), in_space = Json::object();
     for (auto& [name, schema] : plane["properties"].items()) {
-        const Json other = wire.at("properties").value(name, Json(false));
-        if (schema == other) continue;
-        on_wire[name] = other;
+        const Json of_wire = wire.at("properties").value(name, Json(false));
+        const Json of_space = space.at("properties").value(name, Json(false));
+        if (schema == of_wire && schema == of_space) continue;
+        on_wire[name] = of_wire;
         in_plane[name] = schema;
+        in_space[name] = of_space;
         schema = {{"description", schema.at("description")}};
     }
-    const Json box = {{"required", {"length"}}, {"not", needs({"size"})}};
-    Json condition = needs({"box"});
-    condition["properties"]["box"] = box;
-    plane["if"] = condition;
+    Json three = needs({"size"});
+    three["properties"]["size"] = {{"type", "array"}, {"minItems", 3}};
+    plane["if"] = if_box({{"required", {"length"}}, {"not", needs({"size"})}});
     plane["then"] = {{"properties", on_wire}};
-    plane["else"] = {{"properties", in_plane}};
+    plane["else"] = {{"if", if_box(three)},
+                     {"then", {{"properties", in_space}}},
+                     {"else", {{"properties", in_plane}}}};
 }
 
 Json header(const char* title, const char* description) {
@@ -221,7 +230,8 @@ Json header(const char* title, const char* description) {
 // of 2019-09 and 2020-12 it knows only parts.
 std::string scene_schema_json() {
     Json plane = section_schema(scene_table(panel_kinds(), 2).section());
-    part_dimensions(plane, section_schema(scene_table(panel_kinds(), 1).section()));
+    part_dimensions(plane, section_schema(scene_table(panel_kinds(), 1).section()),
+                    section_schema(scene_table(panel_kinds(), 3).section()));
     Json schema =
         header("A scene of carom", "What is in the box, what happens to it, what the viewer sees.");
     schema.update(plane);

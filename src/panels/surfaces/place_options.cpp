@@ -6,8 +6,9 @@ namespace carom {
 
 Binding<SurfaceNumbers> surfaces_key() {
     return bind_value("surfaces", surfaces_notation(),
-                      "The walls or partitions where it measures: `left`, `right`, `bottom`, `top` "
-                      "or the names of partitions. A histogram shows the particles on each side of "
+                      "The walls or partitions where it measures: `left`, `right`, `bottom`, "
+                      "`top`, in space `back` and `front`, or the names of partitions. A histogram "
+                      "shows the particles on each side of "
                       "the partition that it names.")
         .default_text(
             "all walls together for a pressure; none for a histogram; else what moves, or the only "
@@ -28,7 +29,7 @@ Binding<std::optional<CountingLine>> line_key() {
     };
     return bind_with<std::optional<CountingLine>>(
                "line", fill, counting_line_notation(),
-               "A line that particles cross, instead of a partition.")
+               "A line or, in space, a plane that particles cross, instead of a partition.")
         .default_text("none");
 }
 

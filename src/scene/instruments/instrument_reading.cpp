@@ -167,17 +167,20 @@ Notation<CountingLine> counting_line_notation() {
     };
     const KeyTable<Written> table{
         .name = "`line`",
-        .keys = {bind_key("x", &Written::x, number(not_negative),
-                          "The x coordinate of a line perpendicular to the x axis."),
-                 bind_key("y", &Written::y, number(not_negative),
-                          "The y coordinate of a line perpendicular to the y axis."),
-                 bind_key("z", &Written::z, number(not_negative),
-                          "The z coordinate of a plane perpendicular to the z axis, in a box with "
-                          "three lengths."),
-                 bind_key("between", &Written::between,
-                          list_of(number(any_number), 2, {4}, "[from, to]"),
-                          "Where the line begins and ends along the other axis.")
-                     .default_text("across the whole box")},
+        .keys =
+            {bind_key("x", &Written::x, number(not_negative),
+                      "The x coordinate of a line perpendicular to the x axis."),
+             bind_key("y", &Written::y, number(not_negative),
+                      "The y coordinate of a line perpendicular to the y axis."),
+             bind_key("z", &Written::z, number(not_negative),
+                      "The z coordinate of a plane perpendicular to the z axis, in a box with "
+                      "three lengths."),
+             bind_key(
+                 "between", &Written::between, list_of(number(any_number), 2, {4}, "[from, to]"),
+                 "Where the line begins and ends along the other axis; in space the corners of a "
+                 "rectangle in the plane, [a0, b0, a1, b1], in the order x, y, z without "
+                 "the axis that `line` gives.")
+                 .default_text("across the whole box")},
         .choices = {{{"x", "y", "z"}, true}}};
     const auto complete = [](const Written& written, const Node& node,
                              Reading& reading) -> std::optional<CountingLine> {
@@ -242,12 +245,14 @@ Notation<SurfaceNumbers> surfaces_notation() {
 Notation<std::vector<NamedRegion>> regions_notation() {
     const KeyTable<NamedRegion> table{
         .name = "a region",
-        .keys = {bind_key("name", &NamedRegion::name, text(1, most_name_letters),
-                          "Its name in the picture.")
-                     .required(),
-                 bind_key("within", &NamedRegion::region, region_notation("within"),
-                          "Its corners: [x0, y0, x1, y1], on a wire [x0, x1].")
-                     .required()}};
+        .keys = {
+            bind_key("name", &NamedRegion::name, text(1, most_name_letters),
+                     "Its name in the picture.")
+                .required(),
+            bind_key("within", &NamedRegion::region, region_notation("within"),
+                     "Its corners: [x0, y0, x1, y1], on a wire [x0, x1], in space [x0, y0, z0, x1, "
+                     "y1, z1].")
+                .required()}};
     return list_of(mapping(table, "{name, within: [x0, y0, x1, y1]}"), 1, most_chosen,
                    "a list of {name, within}");
 }

@@ -74,7 +74,9 @@ std::string entry(PanelKinds kinds, const PanelKind& kind, const PanelExample& e
     return fmt::format(
                "### `{0}`\n\n{1}{2}\n\n<img src=\"panels/{0}.png\" width=\"420\" alt=\"{3}\">\n\n"
                "```yaml\n{4}```\n\n",
-               kind.name, kind.shows, kind.in_films_instead.empty() ? "" : " For figures only.",
+               kind.name, kind.shows,
+               fmt::format("{}{}", kind.in_films_instead.empty() ? "" : " For figures only.",
+                           kind.in_space_instead.empty() ? "" : " Not in space."),
                in_attribute(example.alt), example.scene) +
            keys_of(kinds, kind);
 }

@@ -47,21 +47,22 @@ constexpr const char* rules =
     R"(- An unknown key, a key that is there twice, or a value of the wrong kind is an error, reported with its place, together with all others of the file.
 - Quantities are in reduced units: a length, a mass and a time of your choice, Boltzmann's constant 1.
 - A number is written in decimal (`0.5`, `1e9`), without quotes; programs that read YAML 1.1, such as PyYAML, take it for a number only with a point and a sign of the exponent (`1.0e+9`). Texts need quotes where YAML would read something else, such as `": "` or `#`.
-- A box with `size` is a plane that holds disks, one with `length` is a wire that holds beads. Where keys differ on a wire, a second table lists them.
+- A box with two lengths in `size` is a plane that holds disks, one with three is a part of space that holds spheres, and one with a `length` is a wire that holds beads. Where keys differ on a wire or in space, a table of their own lists them. In space x goes to the right, y up, and z toward the viewer; its sides are `left`, `right`, `bottom`, `top`, `back` and `front`.
 - An editor with a YAML language server completes and checks all this: `carom schema > scene.schema.json`, and as the first line of a scene `# yaml-language-server: $schema=scene.schema.json`. `carom new` writes that line.
 - `carom check SCENE` says whether a scene is valid.
 
 )";
 
-// Returns rows about a section on a wire: keys that are new or differ there, and keys that do not
-// exist there.
-std::string wire_rows(const SectionPair& section) {
-    const OnWire others = on_wire(section);
+// Returns rows about a section on a wire or in space: keys that are new or differ there, and keys
+// that do not exist there.
+std::string other_rows(const Section& plane, const Section& other, const std::string& where) {
+    const Otherwise found = otherwise(plane, other);
     std::string rows;
-    for (const Key* key : others.keys) rows += key_row(*section.wire, *key);
-    std::string text = rows.empty() ? "" : "On a wire:\n\n" + key_table(rows);
-    if (!others.missing.empty())
-        text += fmt::format("Not on a wire: {}.\n\n", listed(others.missing, "and", "`"));
+    for (const Key* key : found.keys) rows += key_row(other, *key);
+    std::string text =
+        rows.empty() ? "" : fmt::format("{}:\n\n", capitalised(where)) + key_table(rows);
+    if (!found.missing.empty())
+        text += fmt::format("Not {}: {}.\n\n", where, listed(found.missing, "and", "`"));
     return text;
 }
 
@@ -84,10 +85,10 @@ class Page {
         for (const auto& [section, key] : panels) told_.push_back({section, key, true});
     }
 
-    // Adds a section of the plane together with that of the wire, then the sections inside it; each
-    // name once.
-    void add(const Section& plane, const Section& wire) {
-        for (const SectionPair& section : sections_within(plane, wire))
+    // Adds a section of the plane together with those of the wire and of space, then the sections
+    // inside it; each name once.
+    void add_all(const SectionsOfBoxes& all) {
+        for (const SectionsOfBoxes& section : sections_within(all))
             if (shown_.insert(section.plane->name).second) add(section);
     }
 
@@ -96,7 +97,7 @@ class Page {
 
   private:
     // What panels, figures, instruments and comparisons say alike is told once.
-    void add(const SectionPair& section) {
+    void add(const SectionsOfBoxes& section) {
         const Section& plane = *section.plane;
         const bool is_of_panels = has_kinds(plane);
         std::string rows;
@@ -114,7 +115,8 @@ class Page {
         text_ += fmt::format("## {}\n\n", capitalised(plane.name)) + key_table(rows) +
                  further_keys(elsewhere);
         for (const std::string& choice : choices_in_words(plane)) text_ += choice + "\n\n";
-        text_ += wire_rows(section);
+        text_ += other_rows(plane, *section.wire, "on a wire");
+        text_ += other_rows(plane, *section.space, "in space");
     }
 
     static std::string further_keys(
@@ -148,22 +150,22 @@ std::string scene_reference(PanelKinds kinds, const std::vector<std::string>& fo
     Page page(
         opening + fmt::format("```yaml\n{}```\n\n", example) + rules + panel_gallery(kinds, panels),
         keys_in_gallery(kinds));
-    page.add(scene_table(kinds, 2).section(), scene_table(kinds, 1).section());
+    page.add_all(sections_of_scenes(kinds));
     page.add(
         "A film template, a file in `templates/films/` or beside the scene, has the keys of "
         "`film` except `template`, and a `layout`:\n\n");
     const Section film_template = template_table(kinds).section();
     const Section& layout = section_of(film_template, "layout");
-    page.add(layout, layout);
+    page.add_all(in_any_box(layout));
     page.add(
         "A figure set, a file given to `carom figures`, lists scenes whose figures belong "
         "together ([figures.md](figures.md)):\n\n");
     const Section set = set_table(kinds, formats).section();
-    page.add(set, set);
+    page.add_all(in_any_box(set));
     page.add(
         "A style, a file beside the scene or in `templates/styles/`, gives the pictures of scenes "
         "that name it their colours, fonts and sizes ([styles.md](styles.md)):\n\n");
-    page.add(style_table().section(), style_table().section());
+    page.add_all(in_any_box(style_table().section()));
     page.add(color_section());
     page.add(
         "## Limits\n\nWhat exceeds a limit is refused before memory is taken: "

@@ -12,18 +12,24 @@
 namespace carom {
 namespace {
 
-void add_sections(const SectionPair& both, std::set<std::string>& names,
-                  std::vector<SectionPair>& all) {
-    const auto& [plane, wire] = both;
-    if (!names.insert(plane->name).second) return;
-    all.push_back(both);
-    for (const Key& key : plane->keys) {
-        const std::size_t index = wire->index(key.name);
+// The sections of the mappings in a key of another box; those of the plane if it has no such key.
+std::vector<const Section*> sections_in_key(const Section& other, const Key& in_plane) {
+    const std::size_t index = other.index(in_plane.name);
+    return sections_in(index < other.keys.size() ? other.keys[index].forms : in_plane.forms);
+}
+
+void add_sections(const SectionsOfBoxes& all, std::set<std::string>& names,
+                  std::vector<SectionsOfBoxes>& found) {
+    if (!names.insert(all.plane->name).second) return;
+    found.push_back(all);
+    for (const Key& key : all.plane->keys) {
         const std::vector<const Section*> inner = sections_in(key.forms);
-        const std::vector<const Section*> others =
-            index < wire->keys.size() ? sections_in(wire->keys[index].forms) : inner;
+        const auto on_wire = sections_in_key(*all.wire, key);
+        const auto in_space = sections_in_key(*all.space, key);
         for (std::size_t k = 0; k < inner.size(); ++k)
-            add_sections({inner[k], k < others.size() ? others[k] : inner[k]}, names, all);
+            add_sections({inner[k], k < on_wire.size() ? on_wire[k] : inner[k],
+                          k < in_space.size() ? in_space[k] : inner[k]},
+                         names, found);
     }
 }
 
@@ -33,19 +39,25 @@ bool is_one_of_needed(const Section& section, const std::string& name) {
     });
 }
 
-// Whether a page says the same of both keys, the one of the plane and the one of the wire.
-bool is_said_alike(const SectionPair& section, const Key& in_plane, const Key& on_wire) {
-    return in_plane.meaning == on_wire.meaning && forms_text(in_plane) == forms_text(on_wire) &&
-           default_of(*section.plane, in_plane) == default_of(*section.wire, on_wire);
+// Whether a page says the same of both keys, the one of the plane and the other.
+bool is_said_alike(const Section& plane, const Key& in_plane, const Section& other,
+                   const Key& elsewhere) {
+    return in_plane.meaning == elsewhere.meaning && forms_text(in_plane) == forms_text(elsewhere) &&
+           default_of(plane, in_plane) == default_of(other, elsewhere);
 }
 
 }  // namespace
 
-std::vector<SectionPair> sections_within(const Section& plane, const Section& wire) {
-    std::vector<SectionPair> all;
+SectionsOfBoxes sections_of_scenes(PanelKinds kinds) {
+    return {&scene_table(kinds, 2).section(), &scene_table(kinds, 1).section(),
+            &scene_table(kinds, 3).section()};
+}
+
+std::vector<SectionsOfBoxes> sections_within(const SectionsOfBoxes& all) {
+    std::vector<SectionsOfBoxes> found;
     std::set<std::string> names;
-    add_sections({&plane, &wire}, names, all);
-    return all;
+    add_sections(all, names, found);
+    return found;
 }
 
 std::string default_of(const Section& section, const Key& key) {
@@ -63,17 +75,16 @@ std::vector<std::string> choices_in_words(const Section& section) {
     return words;
 }
 
-OnWire on_wire(const SectionPair& section) {
-    const auto& [plane, wire] = section;
-    OnWire others;
-    for (const Key& key : wire->keys) {
-        const std::size_t index = plane->index(key.name);
-        if (index == plane->keys.size() || !is_said_alike(section, plane->keys[index], key))
-            others.keys.push_back(&key);
+Otherwise otherwise(const Section& plane, const Section& other) {
+    Otherwise found;
+    for (const Key& key : other.keys) {
+        const std::size_t index = plane.index(key.name);
+        if (index == plane.keys.size() || !is_said_alike(plane, plane.keys[index], other, key))
+            found.keys.push_back(&key);
     }
-    for (const Key& key : plane->keys)
-        if (wire->index(key.name) == wire->keys.size()) others.missing.push_back(key.name);
-    return others;
+    for (const Key& key : plane.keys)
+        if (other.index(key.name) == other.keys.size()) found.missing.push_back(key.name);
+    return found;
 }
 
 KeysOfKind keys_of_kind(const Section& section, const std::string& kind) {

@@ -10,14 +10,19 @@
 
 namespace carom {
 
-/// A section in a plane, and the same section on a wire. They may be one.
-struct SectionPair {
+/// A section in a plane, and the same section on a wire and in space. They may be one.
+struct SectionsOfBoxes {
     const Section* plane = nullptr;
     const Section* wire = nullptr;
+    const Section* space = nullptr;
 };
 
+/// Returns the sections of scenes, or one section that does not depend on the box.
+SectionsOfBoxes sections_of_scenes(PanelKinds kinds);
+inline SectionsOfBoxes in_any_box(const Section& section) { return {&section, &section, &section}; }
+
 /// Returns a section and all sections inside it, in the order of their keys, each name once.
-std::vector<SectionPair> sections_within(const Section& plane, const Section& wire);
+std::vector<SectionsOfBoxes> sections_within(const SectionsOfBoxes& all);
 
 /// Returns the default of a key in words; code between backticks: "`1`", "required", "none".
 std::string default_of(const Section& section, const Key& key);
@@ -25,13 +30,14 @@ std::string default_of(const Section& section, const Key& key);
 /// Returns the rules about keys that exclude each other: "Exactly one of `size` and `length`."
 std::vector<std::string> choices_in_words(const Section& section);
 
-/// What is otherwise on a wire: keys that are new or differ there, and the names of keys that do
-/// not exist there.
-struct OnWire {
+/// What is otherwise on a wire or in space: keys that are new or differ there, and the names of
+/// keys that do not exist there.
+struct Otherwise {
     std::vector<const Key*> keys;
     std::vector<std::string> missing;
+    bool any() const { return !keys.empty() || !missing.empty(); }
 };
-OnWire on_wire(const SectionPair& section);
+Otherwise otherwise(const Section& plane, const Section& other);
 
 /// The keys of panels of one kind beside those of all kinds. Keys that only this kind takes are its
 /// own.

@@ -315,11 +315,13 @@ namespace {
 Binding<Film> fade_out_key() {
     const KeyTable<FadeOut> table{
         .name = "`fade_out`",
-        .keys = {bind_key("within", &FadeOut::within, region_notation("within"),
-                          "The part of the box: [x0, y0, x1, y1]; on a wire [x0, x1].")
-                     .required(),
-                 bind_key("seconds", &FadeOut::seconds, number(positive),
-                          "How long it takes, in seconds of film.")}};
+        .keys = {
+            bind_key("within", &FadeOut::within, region_notation("within"),
+                     "The part of the box: [x0, y0, x1, y1]; on a wire [x0, x1]; in space [x0, y0, "
+                     "z0, x1, y1, z1].")
+                .required(),
+            bind_key("seconds", &FadeOut::seconds, number(positive),
+                     "How long it takes, in seconds of film.")}};
     return bind_key("fade_out", &Film::fade_out,
                     complete_mapping(table, "{within: [x0, y0, x1, y1], seconds: number}"),
                     "Particles fade out after they have entered this part of the box, until a "

@@ -297,7 +297,7 @@ std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<Panel
                                .only_with(kinds_with_axes(kinds))};
     const std::vector component{
         bind_key("component", &PanelSpec::component, one_of<Component>(),
-                 "The axis; `both` counts both components of each particle.")
+                 "The axis; `both`, in space `all`, counts all components of each particle.")
             .default_text("both for velocities, x for positions")
             .only_with(kinds_that_can(kinds, Ability::component))};
     const std::vector theory{

@@ -279,7 +279,11 @@ std::vector<Binding<ObstacleDraft>> solid_keys() {
 KeyTable<ObstacleDraft> obstacle_table(int dimension) {
     const bool is_plane = dimension == 2;
     std::vector<Refused> refused = inelastic_keys();
-    if (!is_plane) {
+    if (is_plane) {
+        const char* flat = "in a box with two lengths obstacles are flat";
+        refused.push_back({"sphere", flat, "write `disk: [x, y]`, with its `radius`"});
+        refused.push_back({"cuboid", flat, "write `rectangle: [x0, y0, x1, y1]`"});
+    } else {
         const char* shapes = "in a box with three lengths obstacles are spheres and cuboids";
         refused.push_back({"disk", shapes, "write `sphere: [x, y, z]`, with its `radius`"});
         for (const char* name : {"rectangle", "polygon", "segment"})

@@ -106,6 +106,11 @@ KeyTable<SidesByName> sides_table(int dimension) {
     const std::size_t count = 2 * static_cast<std::size_t>(dimension - 1);
     for (std::size_t k = 0; k < count; ++k)
         table.keys.push_back(Binding(further[k]).default_text("`solid`"));
+    if (dimension == 2)
+        for (const char* name : {"back", "front"})
+            table.refused.push_back({name, fmt::format("a plane has no `{}`", name),
+                                     "its sides are `left`, `right`, `bottom` and `top`; with a "
+                                     "third length in `size` a box has both"});
     if (dimension == 1)
         for (const char* name : {"bottom", "top"})
             table.refused.push_back(
@@ -116,18 +121,17 @@ KeyTable<SidesByName> sides_table(int dimension) {
 KeyTable<BoxDraft> box_table(int dimension) {
     const bool is_space = dimension == 3;
     const auto plane = vector_of(2, positive, "[width, height]")
-                           .with_list_hint(
-                               "a box is a plane, with two lengths: its width and its "
-                               "height");
+                           .with_list_hint("a box has a width and a height, and in space a depth");
     return {
         .name = "`box`",
         .keys =
             {bind_key("size", &Box::size,
                       is_space ? vector_of(3, positive, "[width, height, depth]") : plane,
-                      is_space ? "Width, height and depth of the box; x goes to the right, y up, "
-                                 "and z toward the viewer, each from 0."
-                               : "Width and height of the box; x goes from 0 to the width, y from "
-                                 "0 to the height.")
+                      is_space
+                          ? "Width, height and depth of the box; x goes to the right, y up, "
+                            "and z toward the viewer, each from 0."
+                          : "Width and height of the box; x goes from 0 to the width, y from 0 to "
+                            "the height. With a third length, the depth, it is a box in space.")
                  .tried_as({"width", "height", "dimensions", "dims", "L"}),
              bind_key("length", &Box::size, vector_of(1, positive),
                       "Instead of `size`: the length of a wire; x goes from 0 to the length."),
@@ -144,20 +148,21 @@ KeyTable<BoxDraft> box_table(int dimension) {
 }  // namespace
 
 std::vector<Binding<ActingDraft>> acting_keys() {
-    return {bind_key("temperature", &ActingDraft::temperature, number(positive),
-                     "Makes it a heat bath: particles leave it as if they came from a gas of this "
-                     "temperature."),
-            bind_key("mass", &ActingDraft::mass, number(positive),
-                     "Makes it a piston of this mass, which moves freely along its normal."),
-            bind_key("force", &ActingDraft::force, number(any_number),
-                     "A constant force on a piston, along x or y.")
-                .default_text("0"),
-            bind_key("velocity", &ActingDraft::velocity, number(any_number),
-                     "Its velocity along x or y, which collisions do not change; for a piston, the "
-                     "velocity at the start."),
-            bind_key("until", &ActingDraft::until, number(positive),
-                     "The simulated time at which a surface with a given velocity stops.")
-                .default_text("never")};
+    return {
+        bind_key("temperature", &ActingDraft::temperature, number(positive),
+                 "Makes it a heat bath: particles leave it as if they came from a gas of this "
+                 "temperature."),
+        bind_key("mass", &ActingDraft::mass, number(positive),
+                 "Makes it a piston of this mass, which moves freely along its normal."),
+        bind_key("force", &ActingDraft::force, number(any_number),
+                 "A constant force on a piston, along its normal.")
+            .default_text("0"),
+        bind_key("velocity", &ActingDraft::velocity, number(any_number),
+                 "Its velocity along its normal, which collisions do not change; for a piston, the "
+                 "velocity at the start."),
+        bind_key("until", &ActingDraft::until, number(positive),
+                 "The simulated time at which a surface with a given velocity stops.")
+            .default_text("never")};
 }
 
 Binding<ActingDraft> diffuse_key() {

@@ -188,7 +188,7 @@ TEST_CASE("the page lists every colour that a scene can name, once, with its pic
 
 TEST_CASE("the reference page tells every key, and its example is valid") {
     const std::string page = reference_page();
-    for (const int dimension : {1, 2}) {
+    for (const int dimension : {1, 2, 3}) {
         const Section scene = scene_table(panel_kinds(), dimension).section();
         for (const char* name : {"box", "gas", "run", "film"})
             for (const Key& key : section_of(scene, name).keys) {
@@ -241,19 +241,26 @@ TEST_CASE("no item of the page is longer than a few lines") {
     }
 }
 
-TEST_CASE("the page tells what a wire has otherwise") {
+TEST_CASE("the page tells what a wire and a box in space have otherwise") {
     const std::string page = reference_page();
     const std::size_t species = page.find("## An item of `gas`");
     REQUIRE(species != std::string::npos);
     const std::string part = page.substr(species, page.find("\n## ", species) - species);
     const std::size_t wire = part.find("On a wire:");
     REQUIRE(wire != std::string::npos);
+    const std::size_t space = part.find("In space:");
+    REQUIRE(space != std::string::npos);
+    CHECK(part.find("| `radius` | The radius of each sphere.") > space);
+    CHECK(part.find("density * 4/3 * pi * radius^3") > space);
+    CHECK(page.find("Not in space: `disk`, `rectangle`, `polygon` and `segment`.") !=
+          std::string::npos);
     CHECK(part.find("| `radius` | The radius of each disk.") < wire);
     CHECK(part.find("| `radius` | Half the length of each bead") > wire);
     CHECK(part.find("| `drawn_radius` | The radius with which disks are drawn") < wire);
     CHECK(part.find("| `drawn_radius` | The radius with which the beads are drawn") > wire);
     CHECK(part.find("| `speed` |", wire) != std::string::npos);
-    CHECK(part.find("| `count` |", wire) == std::string::npos);
+    REQUIRE(space > wire);
+    CHECK(part.substr(wire, space - wire).find("| `count` |") == std::string::npos);
     CHECK(page.find("Not on a wire: `bottom` and `top`.") != std::string::npos);
 }
 

@@ -126,7 +126,7 @@ const std::vector<Slip>& slips() {
         {"size: [40, 30]", "size: 40x30", "2:13", "write `[40, 30]`"},
         {"size: [40, 30]", "size: 40", "2:13", "two numbers: [width, height]"},
         {"size: [40, 30]", "size: [40, 30, 20, 10]", "2:13",
-         "a box is a plane, with two lengths: its width and its height"},
+         "a box has a width and a height, and in space a depth"},
         {"size: [40, 30]", "width: 40, height: 30", "2:7",
          "did you mean `size`? Or, `width` is a key of a figure and `figure_defaults`"},
         {"run: {until: 10}", "run: {until: 10, fps: 30}", "5:18",

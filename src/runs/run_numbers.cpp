@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
+#include "physics/units/axis_letter.h"
 #include "physics/ways_back.h"
 #include "runs/run_meters.h"
 #include "scene/scene.h"
@@ -148,11 +148,9 @@ void add_surface(Rows& rows, const SceneAndRun& from, const std::string& name) {
     rows.push_back({{"hits on " + name, quantities::count}, of([](const SurfaceReport& surface) {
                         return static_cast<double>(surface.totals.hits);
                     })});
-    const std::array axes{"x", "y"};
     for (int axis = 0; axis < from.scene.gas.box.dimension; ++axis)
         rows.push_back(
-            {{fmt::format("impulse on {} along {}", name, axes[static_cast<std::size_t>(axis)]),
-              quantities::momentum},
+            {{fmt::format("impulse on {} along {}", name, axis_letter(axis)), quantities::momentum},
              of([&](const SurfaceReport& surface) { return surface.totals.impulse[axis]; })});
     rows.push_back({{"work of " + name, quantities::energy},
                     of([](const SurfaceReport& surface) { return surface.totals.work; })});

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "app/report/facts.h"
 #include "panels/chosen.h"
 #include "panels/gas/gas_colors.h"
 #include "panels/layout.h"
@@ -87,7 +88,7 @@ std::vector<GreyLook> grey_looks(const Scene& scene, const Particles& particles)
         all[k].is_ring = !scene.looks[k].fill && has_room;
         // Smaller disks have no room for a number, and in a species of several particles the
         // numbers differ.
-        if (count > 1.0 || (scene.gas.box.dimension == 2 && shown < unit)) all[k].number.reset();
+        if (count > 1.0 || (scene.gas.box.dimension > 1 && shown < unit)) all[k].number.reset();
     }
     return all;
 }
@@ -118,8 +119,9 @@ std::vector<Diagnostic> told_by_color_alone(const Scene& scene, const Particles&
                             fmt::format("WCAG 1.4.1: `{}` and `{}` are told apart by colour alone",
                                         printable(scene.gas.species[i].name),
                                         printable(scene.gas.species[k].name)),
-                            "draw one of them as rings with `fill: false`, where disks are large "
-                            "enough for rings, or a quarter larger"));
+                            fmt::format("draw one of them as rings with `fill: false`, where {} "
+                                        "are large enough for rings, or a quarter larger",
+                                        word_for_bodies(scene.gas.box.dimension))));
                 break;
             }
     return found;
@@ -170,12 +172,13 @@ double fastest_pace(const Scene& scene) {
 }
 
 // A disk that passes makes a place bright and dark. If disks cover more than a quarter of a region
-// of the view, this may count as flashing.
+// of the view, this may count as flashing. Spheres are seen as disks, the part of whose speed in
+// the picture is taken to be the whole; those behind others are counted, too.
 std::optional<Diagnostic> flashing(const Scene& scene, const Particles& particles,
                                    const Sample& sample) {
     const Box& box = scene.gas.box;
-    if (box.dimension != 2 || particles.count() == 0) return std::nullopt;
-    const double area = box.content();
+    if (box.dimension == 1 || particles.count() == 0) return std::nullopt;
+    const double area = box.size[0] * box.size[1];
     const double covered = std::numbers::pi * particles.radius.square().sum() / area;
     if (covered <= share_that_flashes) return std::nullopt;
     const Eigen::ArrayXd energy = kinetic_energies(particles, sample);
@@ -191,10 +194,10 @@ std::optional<Diagnostic> flashing(const Scene& scene, const Particles& particle
     if (flashes <= most_flashes) return std::nullopt;
     return barrier(
         whole_file(scene),
-        fmt::format("WCAG 2.3.1: disks cover {:.2g} of the box and come past each place about "
+        fmt::format("WCAG 2.3.1: {} cover {:.2g} of the box and come past each place about "
                     "{:.2g} times in a second of film; more than {:.0f} flashes of a quarter of "
                     "the view cannot be ruled out",
-                    covered, flashes, most_flashes),
+                    word_for_bodies(box.dimension), covered, flashes, most_flashes),
         "make the film longer (`film.seconds`) or show it slower (`film.pace`)");
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/check/cut_distributions.h"
@@ -12,6 +13,7 @@
 #include "physics/placement/draws.h"
 #include "physics/theory/collision_rate.h"
 #include "physics/theory/law.h"
+#include "physics/units/axis_letter.h"
 #include "runs/number_json.h"
 #include "scene/describe.h"
 #include "scene/words.h"
@@ -42,17 +44,34 @@ Fact box_fact(const Box& box) {
     Json walls{{"left", side_word(box, 0)}, {"right", side_word(box, 1)}};
     if (box.dimension == 1)
         return {"box", Json{{"length", length(0)}, {"walls", walls}}, "box",
-                fmt::format("one dimension, length {}, {}", box.size[0],
+                fmt::format("{}, length {}, {}", words_of_dimension(1), box.size[0],
                             across ? "ends joined" : "between walls")};
     walls["bottom"] = side_word(box, 2);
     walls["top"] = side_word(box, 3);
     const bool walls_act = !box.surfaces.sides_reflect();
+    if (box.dimension == 3) {
+        walls["back"] = side_word(box, 4);
+        walls["front"] = side_word(box, 5);
+        std::vector<std::string> periodic;
+        for (int axis = 0; axis < 3; ++axis)
+            if (box.is_periodic(axis)) periodic.emplace_back(axis_letter(axis));
+        const std::string words = periodic.size() == 3 ? "periodic"
+                                  : !periodic.empty()  ? "periodic along " + listed(periodic)
+                                  : walls_act          ? "walls that act"
+                                                       : "solid walls";
+        return {"box",
+                Json{{"size", Json::array({length(0), length(1), length(2)})}, {"walls", walls}},
+                "box",
+                fmt::format("{}, {} by {} by {}, {}", words_of_dimension(3), box.size[0],
+                            box.size[1], box.size[2], words)};
+    }
     std::string words = across ? "periodic" : walls_act ? "walls that act" : "solid walls";
     if (across != up)
         words = across ? "periodic across, solid below and above"
                        : "periodic up and down, solid left and right";
-    return {"box", Json{{"size", Json::array({length(0), length(1)})}, {"walls", walls}}, "box",
-            fmt::format("two dimensions, {} by {}, {}", box.size[0], box.size[1], words)};
+    return {
+        "box", Json{{"size", Json::array({length(0), length(1)})}, {"walls", walls}}, "box",
+        fmt::format("{}, {} by {}, {}", words_of_dimension(2), box.size[0], box.size[1], words)};
 }
 
 std::string species_words(const Gas& gas, std::int64_t particles) {
@@ -187,7 +206,9 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film, const
          {{"particles", particles}, species(scene.gas, particles)},
          rows_of("cut_distributions", "drawn", cut_distributions(scene.gas)),
          {{"packing_fraction", Amount{packing, quantities::share}, "packing",
-           fmt::format("{:.4g} of the {}", packing, box.dimension == 1 ? "length" : "area")},
+           fmt::format("{:.4g} of the {}", packing,
+                       std::array{"length", "area", "volume"}.at(
+                           static_cast<std::size_t>(box.dimension - 1)))},
           {"time", Amount{run.until, quantities::time}, "run", run_words(run)}},
          event_rows(scene),
          {{"equilibrate", Amount{run.equilibrate, quantities::time}},

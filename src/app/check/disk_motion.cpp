@@ -109,7 +109,10 @@ Json motion_value(const std::vector<DiskMotion>& disks) {
     return list;
 }
 
-Facts motion_rows(const Film& film, const Run& run, const std::vector<DiskMotion>& disks) {
+Facts motion_rows(const Scene& scene, const std::vector<DiskMotion>& disks) {
+    const Film& film = scene.film;
+    const bool is_deep = scene.gas.box.dimension == 3;
+    const char* body = is_deep ? "sphere" : "disk";
     Facts rows;
     const std::vector<DiskMotion> fast =
         those(disks, [](const DiskMotion& disk) { return disk.diameters > most_diameters; });
@@ -118,21 +121,20 @@ Facts motion_rows(const Film& film, const Run& run, const std::vector<DiskMotion
         rows.push_back(for_people(
             "motion",
             fmt::format(
-                "diameters that a disk travels from frame to frame where the film is "
+                "diameters that a {} travels from frame to frame where the film is "
                 "fastest (t = {:.3g}), on average: {}; with more than {} it seems to jump: {}",
-                first.time, list_of(fast, &DiskMotion::diameters), most_diameters,
-                remedies(film, run, first.diameters))));
+                body, first.time, list_of(fast, &DiskMotion::diameters), most_diameters,
+                remedies(film, scene.run, first.diameters))));
     }
     const double least = least_width_of(film);
     const std::vector<DiskMotion> small =
         those(disks, [&](const DiskMotion& disk) { return disk.pixels < least - 0.05; });
     if (!small.empty())
         rows.push_back(for_people(
-            "small disks",
-            fmt::format(
-                "pixels that a disk is wide: {}; fewer than {:.2g} are hard to follow: give "
-                "larger radii or a smaller box",
-                list_of(small, &DiskMotion::pixels), least)));
+            is_deep ? "small spheres" : "small disks",
+            fmt::format("pixels that a {} is wide: {}; fewer than {:.2g} are hard to follow: give "
+                        "larger radii or a smaller box",
+                        body, list_of(small, &DiskMotion::pixels), least)));
     return rows;
 }
 

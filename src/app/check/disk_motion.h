@@ -37,6 +37,6 @@ Json motion_value(const std::vector<DiskMotion>& disks);
 
 /// Rows about disks that travel too far, unless streaks show their ways, and about those that are
 /// too small.
-Facts motion_rows(const Film& film, const Run& run, const std::vector<DiskMotion>& disks);
+Facts motion_rows(const Scene& scene, const std::vector<DiskMotion>& disks);
 
 }  // namespace carom

@@ -168,7 +168,7 @@ Facts rows_of_film(const Scene& scene, const CheckedFilm& checked, std::int64_t 
          measured_rows(checked.measured, options),
          sound_rows(film),
          {for_people("memory", memory_words(costs, options.threads))},
-         motion_rows(film, scene.run, disks),
+         motion_rows(scene, disks),
          player_rows(film, checked.formats)});
     if (const std::vector<std::string> labels = film.runs.labels(); labels.size() > 1)
         facts.push_back(

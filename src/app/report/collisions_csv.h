@@ -16,8 +16,8 @@ namespace carom {
 /// A header, then a row for each collision, in order: its time; the particle, and the particle or
 /// the surface that it met (the other of these two fields is empty); the positions of both (for a
 /// surface the point of contact, in a periodic box the partner's nearest image); the velocities of
-/// both before and after; the momentum that the partner received. On a line the fields for y are
-/// left out. Numbers are formatted by csv_number(); the impulse is empty if both masses are
+/// both before and after; the momentum that the partner received. Vectors have as many fields as
+/// the box has axes. Numbers are formatted by csv_number(); the impulse is empty if both masses are
 /// infinite.
 class CollisionsCsv {
   public:

@@ -23,6 +23,16 @@ std::string printable_lines(std::string_view text) {
 
 }  // namespace
 
+const char* words_of_dimension(int dimension) {
+    return dimension == 1   ? "one dimension"
+           : dimension == 2 ? "two dimensions"
+                            : "three dimensions";
+}
+
+const char* word_for_bodies(int dimension) {
+    return dimension == 1 ? "beads" : dimension == 2 ? "disks" : "spheres";
+}
+
 Fact for_people(const char* label, const std::string& words) { return {"", nullptr, label, words}; }
 
 Facts rows_of(const char* name, const char* label, std::vector<ListItem> items) {

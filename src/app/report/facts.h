@@ -20,6 +20,10 @@ struct Fact {
 };
 using Facts = std::vector<Fact>;
 
+/// "two dimensions", and "disks": for people, in English.
+const char* words_of_dimension(int dimension);
+const char* word_for_bodies(int dimension);
+
 /// A row for people only.
 Fact for_people(const char* label, const std::string& words);
 

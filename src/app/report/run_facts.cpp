@@ -134,10 +134,10 @@ Fact energies(const RunReport& report) {
     return fact;
 }
 
-// On a line its first component.
 std::vector<std::optional<double>> impulse_of(const SurfaceTotals& its, int dimension) {
-    if (dimension == 1) return {its.impulse[0]};
-    return {its.impulse[0], its.impulse[1]};
+    std::vector<std::optional<double>> components;
+    for (int axis = 0; axis < dimension; ++axis) components.emplace_back(its.impulse[axis]);
+    return components;
 }
 
 Fact position_fact(const std::optional<SurfaceReport::Position>& position) {
@@ -347,8 +347,8 @@ std::string heading(const Scene& scene, const RunReport& report) {
     return fmt::format("{}\n{}: {} in {}, time 0 to {}, {} samples, seed {}\n\n",
                        printable(scene.title), printable(scene.source.path),
                        counted(report.particles, "particle"),
-                       scene.gas.box.dimension == 1 ? "one dimension" : "two dimensions",
-                       scene.run.until, grouped(report.samples), scene.seed);
+                       words_of_dimension(scene.gas.box.dimension), scene.run.until,
+                       grouped(report.samples), scene.seed);
 }
 
 Facts facts_of(const Scene& scene, const RunReport& report) {

@@ -39,15 +39,15 @@ std::string plain(std::string name) {
 }
 
 std::string lattice_of(const Box& box) {
-    const double height = box.dimension == 2 ? box.size[1] : 1.0;
-    return fmt::format("Lattice=\"{} 0 0 0 {} 0 0 0 1\"", box.size[0], height);
+    const auto length = [&](int axis) { return axis < box.dimension ? box.size[axis] : 1.0; };
+    return fmt::format("Lattice=\"{} 0 0 0 {} 0 0 0 {}\"", length(0), length(1), length(2));
 }
 
 std::string periodic_sides(const Box& box) {
     const auto flag = [&](int axis) {
         return box.dimension > axis && box.is_periodic(axis) ? 'T' : 'F';
     };
-    return fmt::format("pbc=\"{} {} F\"", flag(0), flag(1));
+    return fmt::format("pbc=\"{} {} {}\"", flag(0), flag(1), flag(2));
 }
 
 }  // namespace
@@ -73,13 +73,16 @@ void SamplesXyz::name_lines(const Particles& particles) {
 void SamplesXyz::add(const Particles& particles, const Sample& sample) {
     if (ends_.empty()) name_lines(particles);
     auto out = rows_.end();
-    const bool is_plane = sample.position.cols() == 2;
     const Eigen::ArrayXi& species = species_at(sample, particles);
     const Eigen::Index count =
         sample.membership ? sample.membership->is_present.count() : particles.count();
     fmt::format_to(out, "{}\n{}{}{}", count, before_time_, csv_number(sample.time), after_time_);
     const auto add_vector = [&](const Eigen::ArrayXXd& values, Eigen::Index i) {
-        fmt::format_to(out, FMT_COMPILE(" {} {} 0"), values(i, 0), is_plane ? values(i, 1) : 0.0);
+        for (Eigen::Index axis = 0; axis < 3; ++axis)
+            if (axis < values.cols())
+                fmt::format_to(out, FMT_COMPILE(" {}"), values(i, axis));
+            else
+                fmt::format_to(out, " 0");
     };
     for (Eigen::Index i = 0; i < particles.count(); ++i) {
         if (!is_present(sample, i)) continue;

@@ -11,9 +11,9 @@
 namespace carom {
 
 /// A header, then a row for each sample and surface:
-/// time,surface,position,velocity,hits,impulse_x,impulse_y,work,heat. Numbers are formatted by
-/// csv_number(); position and velocity are empty for surfaces that have not moved. A line has no
-/// bottom and no top.
+/// time,surface,position,velocity,hits,impulse_x,impulse_y,work,heat, in space with impulse_z.
+/// Numbers are formatted by csv_number(); position and velocity are empty for surfaces that have
+/// not moved. A line has no bottom and no top.
 class SurfacesCsv {
   public:
     /// Writes the header to `output`, which must outlive the object.
@@ -23,6 +23,7 @@ class SurfacesCsv {
     void add(double time, const std::vector<SurfaceState>& surfaces);
 
   private:
+    int components_;                  ///< of an impulse
     std::vector<std::string> names_;  ///< as CSV fields; empty for surfaces that do not exist
     Output& output_;
 };

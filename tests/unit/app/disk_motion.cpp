@@ -37,7 +37,7 @@ Scene scene_of(const std::string& gas, const std::string& film, const std::strin
 
 std::string words_of(const Scene& scene) {
     std::string words;
-    for (const Fact& row : motion_rows(scene.film, scene.run, motion_in(scene)))
+    for (const Fact& row : motion_rows(scene, motion_in(scene)))
         words += row.label + ": " + row.words + "\n";
     return words;
 }

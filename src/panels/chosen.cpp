@@ -105,7 +105,7 @@ bool is_single_among_many(const Scene& scene, const Particles& particles, Eigen:
     constexpr Eigen::Index few_disks = 10, few_beads = 4;
     const auto species = static_cast<std::size_t>(particles.species[particle]);
     return scene.gas.species[species].count == 1 &&
-           particles.count() > (scene.gas.box.dimension == 2 ? few_disks : few_beads);
+           particles.count() > (scene.gas.box.dimension == 1 ? few_beads : few_disks);
 }
 
 namespace {

@@ -111,7 +111,7 @@ void Camera::fix_way(const Region& whole_box) {
         }
         const Vec off = nearest_image(now.middle, whole.middle) - whole.middle;
         const bool is_whole =
-            now.width > (1.0 - 1e-9) * whole.width && longest(abs(off), 3) < 1e-9 * whole.width;
+            now.width > (1.0 - 1e-9) * whole.width && longest(abs(off), 2) < 1e-9 * whole.width;
         way_.push_back(is_whole ? CameraView{} : now);
     }
     frames_ = {};

@@ -120,7 +120,7 @@ GasColors::GasColors(const PanelContext& context)
       tells_infinite_(context.film().color_by == ColorBy::mass &&
                       (context.particles.inverse_mass == 0.0).any()),
       is_plain_(context.film().field && context.film().color_by == ColorBy::speed &&
-                context.box().dimension == 2) {
+                context.box().dimension > 1) {
     const auto [title, symbol] = scale_title(context.film().color_by);
     scale_.title = say(context.language(), title);
     scale_.symbol = symbol;

@@ -1,12 +1,15 @@
-// The disks of the gas and their ghosts. They are drawn one by one or, if they are too small and
-// too many to be distinguished, by the share of each pixel that they cover.
+// The disks of the gas and their ghosts; in space the spheres, as seen from the front, from the
+// back to the front. They are drawn one by one or, if they are too small and too many to be
+// distinguished, by the share of each pixel that they cover.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "draw/disks/small_disks.h"
+#include "panels/gas/bead_words.h"
 #include "panels/gas/gas_drawing.h"
 #include "util/text.h"
 
@@ -15,6 +18,7 @@ namespace {
 
 constexpr double rim_line = 0.09;     // units: of disks whose colour hardly differs from the ground
 constexpr double least_cover = 0.25;  // share of the box that enlarged small disks may cover
+constexpr double rim_fade = 0.55;     // toward the ground: of the rims of spheres, which overlap
 
 std::uint32_t rgb_of(Color color) { return to_pixel(color) & 0xFFFFFF; }
 
@@ -66,6 +70,23 @@ void GasPanel::Drawing::draw_crowd(const Eigen::ArrayXXf& places, const ColorOf&
     small.draw(canvas);
 }
 
+// Those that are there and are drawn one by one. Of two spheres, or of a sphere and an obstacle,
+// the one whose middle is further in front hides the other wherever they overlap in the picture.
+std::vector<Eigen::Index> GasPanel::Drawing::back_to_front(const Eigen::ArrayXXf& places) const {
+    std::vector<Eigen::Index> order;
+    order.reserve(static_cast<std::size_t>(places.rows()));
+    for (Eigen::Index i = 0; i < places.rows(); ++i)
+        if (!is_in_crowd(i) && !std::isnan(places(i, 0))) order.push_back(i);
+    sort_by_depth(order, places);
+    return order;
+}
+
+void GasPanel::Drawing::sort_by_depth(std::vector<Eigen::Index>& order,
+                                      const Eigen::ArrayXXf& places) const {
+    if (is_deep())
+        std::ranges::sort(order, {}, [&](Eigen::Index i) { return std::pair(places(i, 2), i); });
+}
+
 // They hide nothing of what is behind them.
 void GasPanel::Drawing::draw_outlines() const {
     constexpr double opacity = 0.55;  // the field is what is to be seen
@@ -94,8 +115,7 @@ void GasPanel::Drawing::draw_ghosts() const {
     const std::uint32_t muted = rgb_of(dc.theme.muted);
     draw_crowd(gas.ghosts->place, [&](Eigen::Index) { return muted; });
     std::vector<Disk> disks;
-    for (Eigen::Index i = 0; i < radius.size(); ++i) {
-        if (is_in_crowd(i) || std::isnan(gas.ghosts->place(i, 0))) continue;
+    for (const Eigen::Index i : back_to_front(gas.ghosts->place)) {
         const double shown = shown_radius(i);
         for_each_image(place_of(gas.ghosts->place, i), radius[i], [&](Point at) {
             add_disk(disks, at, shown, muted, inside_ring(shown, ghost_line(dc)),
@@ -105,57 +125,119 @@ void GasPanel::Drawing::draw_ghosts() const {
     dc.disks.draw(canvas, disks, frame);
 }
 
+GasPanel::Drawing::Inks GasPanel::Drawing::inks() const {
+    Inks its{.ground = rgb_of(dc.theme.ground), .rim = std::max(2.0, rim_line * dc.unit)};
+    for (const Color& color : colors) {
+        const Color edge = edge_of(color, dc.theme);
+        its.pixels.push_back(rgb_of(color));
+        its.edges.push_back(rgb_of(edge));
+        const bool has_rim = !is_deep() || rgb_of(edge) != rgb_of(color);
+        its.rims.push_back(has_rim ? its.edges.back()
+                                   : rgb_of(mix(color, dc.theme.ground, rim_fade)));
+    }
+    return its;
+}
+
+std::uint32_t GasPanel::Drawing::dimmed(std::uint32_t color, Eigen::Index i) const {
+    return gas.light.empty() ? color : rgb_of(gas.seen(rgb(color), i, dc.theme.ground));
+}
+
+void GasPanel::Drawing::add_body(std::vector<Disk>& disks, Eigen::Index i, const Inks& its) const {
+    const double shown = shown_radius(i);
+    const bool is_filled = panel.is_filled(i, gas);
+    const std::uint32_t color = dimmed(its.pixels[shade(i)], i);
+    const std::uint32_t edge = dimmed((is_filled ? its.rims : its.edges)[shade(i)], i);
+    double inside = 0.0;
+    if (!is_filled || edge != color)
+        inside = inside_ring(shown, is_filled ? its.rim : ring_line(shown, dc.unit));
+    for_each_image(place_of(gas.place, i), radius[i], [&](Point at) {
+        add_disk(disks, at, shown, edge, inside, is_filled ? color : its.ground);
+    });
+}
+
+// The ring around a disk with a trail.
+void GasPanel::Drawing::add_ring(std::vector<Disk>& disks, Eigen::Index i) const {
+    const double ring = radius[i] * scale + followed_line * dc.unit;
+    for_each_image(place_of(gas.place, i), radius[i],
+                   [&](Point at) { add_disk(disks, at, ring, rgb_of(dc.theme.ink), 0.0, 0); });
+}
+
 // Disks of the crowd are drawn below all others, except those with a ring, a callout or a trail.
 void GasPanel::Drawing::draw_disks() const {
-    std::vector<std::uint32_t> pixels, edges;
-    for (const Color& color : colors) {
-        pixels.push_back(rgb_of(color));
-        edges.push_back(rgb_of(edge_of(color, dc.theme)));
-    }
-    std::vector<Disk> disks;
-    const std::uint32_t ground = rgb_of(dc.theme.ground);
-    const auto dimmed = [&](std::uint32_t color, Eigen::Index i) {
-        return gas.light.empty() ? color : rgb_of(gas.seen(rgb(color), i, dc.theme.ground));
-    };
-    draw_crowd(gas.place, [&](Eigen::Index i) { return dimmed(edges[shade(i)], i); });
-    const double rim = std::max(2.0, rim_line * dc.unit);
-    const auto add = [&](Eigen::Index i) {
-        const double shown = shown_radius(i);
-        const std::uint32_t color = dimmed(pixels[shade(i)], i), edge = dimmed(edges[shade(i)], i);
-        const bool is_filled = panel.is_filled(i, gas);
-        double inside = 0.0;
-        if (!is_filled || edge != color)
-            inside = inside_ring(shown, is_filled ? rim : ring_line(shown, dc.unit));
-        for_each_image(place_of(gas.place, i), radius[i], [&](Point at) {
-            add_disk(disks, at, shown, edge, inside, is_filled ? color : ground);
-        });
-    };
-    for (Eigen::Index i = 0; i < radius.size(); ++i)
-        if (!is_in_crowd(i) && gas.is_shown(i)) add(i);
+    const Inks its = inks();
+    draw_crowd(gas.place, [&](Eigen::Index i) { return dimmed(its.edges[shade(i)], i); });
+    std::vector<Eigen::Index> order = back_to_front(gas.place);
     const auto add_from_crowd = [&](Eigen::Index i) {
-        if (is_in_crowd(i)) add(i);
+        if (is_in_crowd(i)) order.push_back(i);
     };
     for (const Spotlights::Ring& ring : gas.rings) add_from_crowd(ring.particle);
     for (const Callouts::Present& callout : gas.callouts) add_from_crowd(callout.particle);
+    if (is_deep()) {
+        for (const TrailedParticle& one : panel.followed_)
+            if (gas.is_shown(one.particle)) add_from_crowd(one.particle);
+        sort_by_depth(order, gas.place);
+        return draw_spheres(order, its);
+    }
+    std::vector<Disk> disks;
+    for (const Eigen::Index i : order) add_body(disks, i, its);
     for (const TrailedParticle& one : panel.followed_) {
         if (!gas.is_shown(one.particle)) continue;
-        const double ring = radius[one.particle] * scale + followed_line * dc.unit;
-        for_each_image(place_of(gas.place, one.particle), radius[one.particle],
-                       [&](Point at) { add_disk(disks, at, ring, rgb_of(dc.theme.ink), 0.0, 0); });
-        add(one.particle);
+        add_ring(disks, one.particle);
+        add_body(disks, one.particle, its);
     }
     dc.disks.draw(canvas, disks, frame);
+    draw_marks();
 }
 
-void GasPanel::Drawing::draw_infinite() const {
-    if (!panel.colors_.tells_infinite()) return;
-    for (Eigen::Index i = 0; i < radius.size(); ++i) {
-        if (!GasColors::is_of_infinite(gas.shades[static_cast<std::size_t>(i)]) ||
-            !panel.is_disk(i, gas) || !gas.is_shown(i))
-            continue;
-        for_each_image(place_of(gas.place, i), radius[i],
-                       [&](Point at) { draw_hatching(canvas, dc, at, radius[i] * scale); });
+// With what is on them, and with what stands between them.
+void GasPanel::Drawing::draw_spheres(const std::vector<Eigen::Index>& order,
+                                     const Inks& its) const {
+    std::vector<Disk> disks;
+    const auto flush = [&] {
+        dc.disks.draw(canvas, disks, frame);
+        disks.clear();
+    };
+    const auto fixed = panel.surfaces_.in_depth(gas.surfaces);
+    auto next = fixed.begin();
+    const auto draw_next = [&] {
+        flush();
+        panel.surfaces_.draw_in_depth(canvas, dc, map, gas.surfaces, (next++)->surface);
+    };
+    for (const Eigen::Index i : order) {
+        const auto depth = static_cast<double>(gas.place(i, 2));
+        while (next != fixed.end() && next->depth < depth) draw_next();
+        if (!panel.trail_of_.empty() && panel.trail_of_[static_cast<std::size_t>(i)] >= 0)
+            add_ring(disks, i);
+        add_body(disks, i, its);
+        if (!has_mark(i)) continue;
+        flush();
+        draw_mark(i);
     }
+    while (next != fixed.end()) draw_next();
+    flush();
+}
+
+// Whether a disk may bear a label or the hatching of an infinite mass.
+bool GasPanel::Drawing::has_mark(Eigen::Index i) const {
+    if (film.labels != Labels::none) return true;
+    return panel.colors_.tells_infinite() &&
+           GasColors::is_of_infinite(gas.shades[static_cast<std::size_t>(i)]) &&
+           panel.is_disk(i, gas);
+}
+
+void GasPanel::Drawing::draw_mark(Eigen::Index i) const {
+    if (film.labels == Labels::none)
+        return for_each_image(place_of(gas.place, i), radius[i],
+                              [&](Point at) { draw_hatching(canvas, dc, at, radius[i] * scale); });
+    draw_words_on(
+        canvas, dc, pixel(i), radius[i] * scale, words_on(panel.context_, i, film.labels),
+        panel.is_disk(i, gas) ? gas.seen(colors[shade(i)], i, dc.theme.ground) : dc.theme.ground);
+}
+
+void GasPanel::Drawing::draw_marks() const {
+    if (film.labels == Labels::none && !panel.colors_.tells_infinite()) return;
+    for (Eigen::Index i = 0; i < radius.size(); ++i)
+        if (gas.is_shown(i) && has_mark(i)) draw_mark(i);
 }
 
 // Remarks on what would mislead: enlarged disks make a gas look denser than it is, and omitted
@@ -164,7 +246,9 @@ Remarks GasPanel::Drawing::remarks() const {
     const Language language = panel.context_.language();
     Remarks all(dc, frame, gas.view ? std::optional(map_of(map)) : std::nullopt);
     all.add(panel.flashes_.remarks());
-    if (!labels_fit()) all.add({say(language, "No room for labels on the disks")});
+    if (!labels_fit())
+        all.add({is_deep() ? say(language, "No room for labels on the spheres")
+                           : say(language, "No room for labels on the disks")});
     const Eigen::ArrayXd& true_radius = panel.context_.particles.radius;
     if (gas.radii->smallest * scale >= least_shown && !gas.radii->enlarges) return all;
     const auto is_enlarged = radius * scale < least_shown || radius > true_radius;
@@ -173,10 +257,16 @@ Remarks GasPanel::Drawing::remarks() const {
     const double largest = is_enlarged.select(true_radius, smallest).maxCoeff();
     const std::string low = three_digits(language, smallest),
                       high = three_digits(language, largest);
-    all.add({largest > smallest
-                 ? say(language, "Disks enlarged for visibility; radii {} to {}", low, high)
-                 : say(language, "Disks enlarged for visibility; radius {}", low),
-             say(language, "Disks enlarged for visibility")});
+    if (is_deep())
+        all.add({largest > smallest
+                     ? say(language, "Spheres enlarged for visibility; radii {} to {}", low, high)
+                     : say(language, "Spheres enlarged for visibility; radius {}", low),
+                 say(language, "Spheres enlarged for visibility")});
+    else
+        all.add({largest > smallest
+                     ? say(language, "Disks enlarged for visibility; radii {} to {}", low, high)
+                     : say(language, "Disks enlarged for visibility; radius {}", low),
+                 say(language, "Disks enlarged for visibility")});
     return all;
 }
 

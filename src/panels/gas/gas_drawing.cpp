@@ -143,11 +143,14 @@ void GasPanel::Drawing::draw_contents() const {
     draw_streaks();
     surfaces.draw_partitions(canvas, dc, map, gas.surfaces);
     draw_trails();
-    are_outlines() ? draw_outlines() : draw_disks();
-    if (film.labels == Labels::none)
-        draw_infinite();
-    else
-        draw_labels();
+    if (are_outlines()) {
+        for (const SurfaceView::InDepth& one : surfaces.in_depth(gas.surfaces))
+            surfaces.draw_in_depth(canvas, dc, map, gas.surfaces, one.surface);
+        draw_outlines();
+        draw_marks();
+    } else {
+        draw_disks();
+    }
     draw_followed();
     draw_flashes();
     remarks().draw(canvas);
@@ -206,16 +209,6 @@ bool GasPanel::Drawing::labels_fit() const {
     return false;
 }
 
-void GasPanel::Drawing::draw_labels() const {
-    for (Eigen::Index i = 0; i < radius.size(); ++i) {
-        if (!gas.is_shown(i)) continue;
-        draw_words_on(canvas, dc, pixel(i), radius[i] * scale,
-                      words_on(panel.context_, i, film.labels),
-                      panel.is_disk(i, gas) ? gas.seen(colors[shade(i)], i, dc.theme.ground)
-                                            : dc.theme.ground);
-    }
-}
-
 void GasPanel::Drawing::add_trail(std::vector<Taper>& tapers, std::size_t followed,
                                   Point shift) const {
     const Trail& trail = gas.trails[followed];
@@ -226,9 +219,9 @@ void GasPanel::Drawing::add_trail(std::vector<Taper>& tapers, std::size_t follow
                           : dc.theme.ink;
     const Color ink = gas.seen(own, particle, dc.theme.ground);
     const auto place = [&](std::size_t i, double across, double up) {
-        const Point& at = trail.places[i];
+        const Vec& at = trail.places[i];
         const double age = static_cast<double>(trail.ages[i]) / seconds;
-        return TrailPlace{pixel({at.x + shift.x + across, at.y + shift.y + up}),
+        return TrailPlace{pixel({at[0] + shift.x + across, at[1] + shift.y + up}),
                           1.0 - std::clamp(age, 0.0, 1.0)};
     };
     std::vector<TrailPlace> way;
@@ -237,9 +230,9 @@ void GasPanel::Drawing::add_trail(std::vector<Taper>& tapers, std::size_t follow
         double across = 0.0, up = 0.0;
         if (i > 0) {
             // A step of more than half the box is taken to go across a periodic side.
-            const Point &from = trail.places[i - 1], &to = trail.places[i];
-            across = box.size[0] * box.turns(0, from.x - to.x);
-            up = box.size[1] * box.turns(1, from.y - to.y);
+            const Vec step = trail.places[i - 1] - trail.places[i];
+            across = box.size[0] * box.turns(0, step[0]);
+            up = box.size[1] * box.turns(1, step[1]);
         }
         if (across != 0.0 || up != 0.0) {
             way.push_back(place(i, across, up));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -109,11 +110,26 @@ struct GasPanel::Drawing {
     template <class Draw>
     void for_each_streak(Eigen::Index i, const Draw& draw) const;
     void draw_streaks() const;
+    /// What disks are drawn with: the colours of the shades as they are, legible, and of rims.
+    struct Inks {
+        std::vector<std::uint32_t> pixels = {}, edges = {}, rims = {};
+        std::uint32_t ground = 0;
+        double rim = 0.0;  ///< pixels
+    };
+    Inks inks() const;
+    bool is_deep() const { return box.dimension == 3; }
+    std::vector<Eigen::Index> back_to_front(const Eigen::ArrayXXf& places) const;
+    void sort_by_depth(std::vector<Eigen::Index>& order, const Eigen::ArrayXXf& places) const;
+    std::uint32_t dimmed(std::uint32_t color, Eigen::Index i) const;
+    void add_body(std::vector<Disk>& disks, Eigen::Index i, const Inks& its) const;
+    void add_ring(std::vector<Disk>& disks, Eigen::Index i) const;
     void draw_disks() const;
-    void draw_infinite() const;
+    void draw_spheres(const std::vector<Eigen::Index>& order, const Inks& its) const;
+    bool has_mark(Eigen::Index i) const;
+    void draw_mark(Eigen::Index i) const;
+    void draw_marks() const;
     void draw_arrows() const;
     bool labels_fit() const;
-    void draw_labels() const;
     void add_trail(std::vector<Taper>& tapers, std::size_t followed, Point shift) const;
     void draw_seed_paths() const;
     void draw_trails() const;

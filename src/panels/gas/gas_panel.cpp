@@ -9,6 +9,7 @@
 #include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/gas.h"
+#include "physics/units/axis_letter.h"
 #include "scene/panel_kind.h"
 #include "scene/reading/overlay_reading.h"
 
@@ -91,7 +92,7 @@ void GasPanel::extend_trails(const FrameInput& input) {
         const std::ptrdiff_t k = trail_of_[static_cast<std::size_t>(particle)];
         if (k < 0) return;
         trails_[static_cast<std::size_t>(k)].push_back(
-            {moving_seconds_ - (input.tick.time - time) * pace, {at[0], at[1]}});
+            {moving_seconds_ - (input.tick.time - time) * pace, at});
     };
     if (!followed_.empty())
         for (const Collision& collision : input.advanced.collisions) {
@@ -180,52 +181,62 @@ std::string GasPanel::label(Eigen::Index particle, const State& state) const {
 // Positions are those of the picture, in single precision.
 Table GasPanel::table(const PanelState& state, const Theme& theme) const {
     const auto& gas = static_cast<const State&>(state);
-    Table table{{"part",
-                 "particle",
-                 "species",
-                 {"x", quantities::length},
-                 {"y", quantities::length},
-                 {"radius", quantities::length},
-                 "colour",
-                 "label"}};
+    const int dimension = context_.box().dimension;
+    Table table{{"part", "particle", "species"}};
+    for (int axis = 0; axis < dimension; ++axis)
+        table.columns.emplace_back(axis_letter(axis), quantities::length);
+    for (const Heading& heading :
+         {Heading("radius", quantities::length), Heading("colour"), Heading("label")})
+        table.columns.push_back(heading);
     if (arrows_.shown())
-        for (const char* name : {"velocity x", "velocity y"})
-            table.columns.emplace_back(name, quantities::velocity);
+        for (int axis = 0; axis < dimension; ++axis)
+            table.columns.emplace_back(std::string("velocity ") + axis_letter(axis),
+                                       quantities::velocity);
     field_.add_columns(table);
+    const auto cells = [&](const auto& place, const std::vector<TableCell>& more) {
+        std::vector<TableCell> all;
+        for (int axis = 0; axis < dimension; ++axis) all.emplace_back(place(axis));
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    };
     const std::vector<Color> colors = colors_.of_shades(theme);
     const Eigen::ArrayXd& radius = context_.particles.radius;
+    const char* body = dimension == 3 ? "sphere" : "disk";
     for (Eigen::Index i = 0; i < gas.place.rows(); ++i) {
         if (!gas.is_shown(i)) continue;
         const std::uint16_t shade = gas.shades[static_cast<std::size_t>(i)];
-        add_row(table, gas, "disk", i,
-                {gas.place(i, 0), gas.place(i, 1), radius[i], hex_of(colors[shade % colors.size()]),
-                 label(i, gas)},
+        add_row(table, gas, body, i,
+                cells([&](int axis) { return gas.place(i, axis); },
+                      {radius[i], hex_of(colors[shade % colors.size()]), label(i, gas)}),
                 true);
     }
     for (std::size_t k = 0; k < gas.trails.size(); ++k) {
         const std::uint16_t shade = gas.shades[static_cast<std::size_t>(followed_[k].particle)];
         const Color color = GasColors::is_of_species(shade) ? colors[shade] : theme.ink;
-        for (const Point& place : gas.trails[k].places)
+        for (const Vec& place : gas.trails[k].places)
             add_row(table, gas, "trail", followed_[k].particle,
-                    {place.x, place.y, {}, hex_of(color)});
+                    cells([&](int axis) { return place[axis]; }, {{}, hex_of(color)}));
     }
     if (gas.ghosts)
         for (Eigen::Index i = 0; i < gas.ghosts->place.rows(); ++i)
             if (!std::isnan(gas.ghosts->place(i, 0)))
                 add_row(table, gas, "mark", i,
-                        {gas.ghosts->place(i, 0), gas.ghosts->place(i, 1), radius[i],
-                         hex_of(theme.muted), gas.ghosts->words});
+                        cells([&](int axis) { return gas.ghosts->place(i, axis); },
+                              {radius[i], hex_of(theme.muted), gas.ghosts->words}));
     for (std::size_t k = 0; k < gas.surfaces.size(); ++k) {
         const SurfaceState& surface = gas.surfaces[k];
         if (context_.box().surfaces.is_side(k) && !surface.motion &&
             only_reflects(surface.behaviour))
             continue;
         const Gas& its = context_.gas_in_scene();
-        const bool is_x = its.box.surfaces.axis_of(k) == 0;
-        const TableCell at = place_of_surface(its.box, gas.surfaces, k), none;
+        const int its_axis = its.box.surfaces.axis_of(k);
+        const double at = place_of_surface(its.box, gas.surfaces, k);
         std::vector<TableCell>& row = table.rows.emplace_back();
-        row = {"surface",        none, none, is_x ? at : none,
-               is_x ? none : at, none, none, table_entry_of_surface(its, surface, k)};
+        row = {"surface", {}, {}};
+        const std::vector<TableCell> rest =
+            cells([&](int axis) { return axis == its_axis ? TableCell(at) : TableCell(); },
+                  {{}, {}, table_entry_of_surface(its, surface, k)});
+        row.insert(row.end(), rest.begin(), rest.end());
         row.resize(table.columns.size());
     }
     if (gas.field) field_.add_rows(table, *gas.field, 3, 4);

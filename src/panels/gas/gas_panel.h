@@ -1,5 +1,6 @@
 // The box and its disks with their trails, velocities and names: the main picture of a film in two
-// dimensions.
+// dimensions. Of a gas in space it shows the spheres as seen from the front, with x to the right
+// and y up: those further in front hide those behind them.
 #pragma once
 
 #include <deque>
@@ -50,12 +51,12 @@ class GasPanel : public ParticlePanel {
     };
     struct TrailPoint {
         double film_time;  // seconds
-        Point place;       // scene units
+        Vec place;         // scene units
         void archive(auto& archive) { archive(film_time, place); }
     };
     struct Trail {
-        std::vector<Point> places;  // oldest first, scene units
-        std::vector<float> ages;    // seconds of film
+        std::vector<Vec> places;  // oldest first, scene units
+        std::vector<float> ages;  // seconds of film
     };
     struct State : ParticleState {
         double time = 0.0;                           // simulated
@@ -65,7 +66,8 @@ class GasPanel : public ParticlePanel {
         std::shared_ptr<const StreakState> streaks;  // null: none
         std::size_t bytes() const override {
             std::size_t sum = ParticleState::bytes();
-            for (const Trail& trail : trails) sum += trail.places.size() * 20;
+            for (const Trail& trail : trails)
+                sum += trail.places.size() * (sizeof(Vec) + sizeof(float));
             if (streaks) sum += streaks->bytes();
             return sum + surfaces.size() * sizeof(SurfaceState);
         }

@@ -68,7 +68,7 @@ bool ParticlePanel::see(const FrameInput& input, const Eigen::ArrayXXd& places,
     if (arrows_.shown()) state.velocity = input.sample.velocity.cast<float>();
     const Eigen::ArrayXXd& velocity = input.sample.velocity;
     const auto direction = [&](Eigen::Index i) -> Vec {
-        return {velocity(i, 0), velocity.cols() == 2 ? velocity(i, 1) : 0.0};
+        return {velocity(i, 0), velocity.cols() > 1 ? velocity(i, 1) : 0.0};
     };
     state.shades.reserve(static_cast<std::size_t>(places.rows()));
     for (Eigen::Index i = 0; i < places.rows(); ++i)

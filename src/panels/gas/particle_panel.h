@@ -1,5 +1,5 @@
-// The common base of the panels of the box (2-D) and of the line (1-D): colours of particles,
-// velocity arrows, marks and flashes, a field, and the rows of the table.
+// The common base of the panels of the box (2-D and 3-D) and of the line (1-D): colours of
+// particles, velocity arrows, marks and flashes, a field, and the rows of the table.
 #pragma once
 
 #include <cmath>

@@ -18,7 +18,8 @@ std::vector<std::string> BoxParts::names(Language language) const {
     for (const NamedRegion& one : regions_) all.push_back(one.name);
     if (!all.empty()) return all;
     if (axis() == 0) return {say(language, "left"), say(language, "right")};
-    return {say(language, "below"), say(language, "above")};
+    if (axis() == 1) return {say(language, "below"), say(language, "above")};
+    return {say(language, "back"), say(language, "front")};
 }
 
 std::vector<Region> BoxParts::regions(std::span<const SurfaceState> states) const {
@@ -26,7 +27,7 @@ std::vector<Region> BoxParts::regions(std::span<const SurfaceState> states) cons
     for (const NamedRegion& one : regions_) all.push_back(one.region);
     if (!all.empty()) return all;
     constexpr double far = std::numeric_limits<double>::infinity();
-    Region whole{{-far, -far}, {far, far}};
+    Region whole{{-far, -far, -far}, {far, far, far}};
     if (box_.is_periodic(axis())) {
         whole.low[axis()] = 0.0;
         whole.high[axis()] = box_.length(axis());

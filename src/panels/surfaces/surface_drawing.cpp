@@ -4,12 +4,9 @@
 #include <numbers>
 #include <vector>
 
-#include "panels/surfaces/surface_sizes.h"
+#include "panels/surfaces/surface_brush.h"
 #include "panels/surfaces/surface_strokes.h"
-#include "panels/surfaces/surface_view.h"
 #include "panels/surfaces/surface_words.h"
-#include "physics/gas.h"
-#include "physics/surfaces/behaviours.h"
 #include "util/overloaded.h"
 
 namespace carom {
@@ -19,88 +16,33 @@ constexpr double hatch_apart = 0.55;  // units
 
 }  // namespace
 
-// A frame being drawn.
-struct SurfaceView::Brush {
-    const SurfaceView& view;
-    Canvas& canvas;
-    const DrawContext& dc;
-    const BoxMap& map;
-    const std::vector<SurfaceState>& states;
-    const Box& box = view.gas_.box;
-    const Theme& theme = dc.theme;
-    double u = dc.unit;
-    Rect room = map.rect(view.room(states));
-
-    struct SurfaceLabel {
-        double middle;
-        std::string words;
-        bool is_of_side = false;
-        Color color = {};
-    };
-
-    struct SideLabel {
-        std::string words;
-        bool has_arrow = false;
-        double shift = 0.0;  // of the arrow from the middle to the left, and of the words with it
-    };
-
-    const Behaviour& behaviour(std::size_t k) const { return states[k].behaviour; }
-    bool is_imposed(std::size_t k) const { return driven_of(behaviour(k)) || states[k].is_held; }
-
-    // Of a side, outside of the room, in units.
-    double thickness(std::size_t side) const { return thickness_of_side(behaviour(side)); }
-
-    Color bath_color(const Bath& bath) const { return view.bath_color(bath.temperature, theme); }
-
-    // In the direction in which it grows along an axis, on the picture.
-    Point upwards(int axis) const { return axis == 0 ? Point{1.0, 0.0} : Point{0.0, -1.0}; }
-
-    Rect outside(std::size_t side, double offset, double depth) const;
-    void draw_outline() const;
-    void draw_obstacle(const Obstacle& obstacle, Point shift) const;
-    void draw_obstacles() const;
-    void draw_side(std::size_t side) const;
-    void draw_bar(std::size_t side) const;
-    void draw_side_arrow(std::size_t side) const;
-    SideLabel label_beside(std::size_t side) const;
-    void draw_side_label(std::size_t side) const;
-    void draw_line(Point from, Point to, std::size_t k) const;
-    void draw_partition(std::size_t k) const;
-    void draw_ends(std::size_t k) const;
-    bool has_block(std::size_t k) const;
-    void draw_block(const Rect& block, std::size_t k) const;
-    double row_over_side(double from, double to) const;
-    Color label_color(std::size_t k) const;
-    void draw_labels() const;
-    void draw_gravity() const;
-};
-
 void SurfaceView::draw_room(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                             const std::vector<SurfaceState>& states) const {
     const Brush brush{*this, canvas, dc, map, states};
     canvas.fill(brush.room, dc.theme.ground);
-    brush.draw_obstacles();
+    if (!is_deep()) brush.draw_obstacles();
     brush.draw_outline();
     brush.draw_gravity();
 }
 
 void SurfaceView::draw_obstacles(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                                  const std::vector<SurfaceState>& states) const {
-    if (!plain_) Brush{*this, canvas, dc, map, states}.draw_obstacles();
+    if (!plain_ && !is_deep()) Brush{*this, canvas, dc, map, states}.draw_obstacles();
 }
 
 void SurfaceView::draw_partitions(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                                   const std::vector<SurfaceState>& states) const {
     const Brush brush{*this, canvas, dc, map, states};
     for (std::size_t k = gas_.box.surfaces.numbered_sides().size(); k < states.size(); ++k)
-        brush.draw_partition(k);
+        if (gas_.box.surfaces.axis_of(k) < 2) brush.draw_partition(k);
 }
 
 void SurfaceView::draw_around(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                               const std::vector<SurfaceState>& states) const {
     const Brush brush{*this, canvas, dc, map, states};
     for (std::size_t k = 0; k < states.size(); ++k)
-        gas_.box.surfaces.is_side(k) ? brush.draw_side(k) : brush.draw_ends(k);
+        if (gas_.box.surfaces.axis_of(k) < 2)
+            gas_.box.surfaces.is_side(k) ? brush.draw_side(k) : brush.draw_ends(k);
     if (!states.empty()) brush.draw_labels();
 }
 
@@ -131,48 +73,64 @@ void SurfaceView::Brush::draw_outline() const {
 // --------------------------------------------------------------------------------------- obstacles
 
 void SurfaceView::Brush::draw_obstacle(const Obstacle& obstacle, Point shift) const {
-    const Color fill = mix(theme.ground, theme.wall, 0.3);
     const double wide = 0.14 * u;
     std::vector<Point> corners;
     const auto add = [&](double x, double y) {
         corners.push_back(map.pixel({x + shift.x, y + shift.y}));
     };
-    if (const auto* disk = std::get_if<Obstacle::Ball>(&obstacle.shape)) {
-        constexpr int count = 72;
-        const double radius = std::max(disk->radius, 0.1 * u / map.scale);
-        for (int k = 0; k < count; ++k) {
-            const double angle = 2.0 * std::numbers::pi * k / count;
-            const double inside = radius - 0.5 * wide / map.scale;
-            add(disk->center[0] + inside * std::cos(angle),
-                disk->center[1] + inside * std::sin(angle));
-        }
-        const Point center = map.pixel({disk->center[0] + shift.x, disk->center[1] + shift.y});
-        canvas.fill_circle(center, radius * map.scale, fill);
-        if (radius * map.scale > hatch_apart * u)
+    const auto draw_lines = [&](bool is_closed) {
+        if (is_closed) {
+            canvas.fill_polygon(corners, fill_of_obstacle());
             hatch_polygon(canvas, corners, hatch_apart * u, 0.09 * u, theme.wall);
-        canvas.stroke_circle(center, std::max(0.0, radius * map.scale - wide / 2), wide,
-                             theme.wall);
-        return;
-    }
-    const auto& lines = std::get<Obstacle::Lines>(obstacle.shape);
-    for (const Vec& corner : lines.corners) add(corner[0], corner[1]);
-    if (lines.is_closed) {
-        canvas.fill_polygon(corners, fill);
-        hatch_polygon(canvas, corners, hatch_apart * u, 0.09 * u, theme.wall);
-        corners.push_back(corners.front());
-    }
-    canvas.stroke_path(corners, lines.is_closed ? wide : SurfaceSize::thick * u, theme.wall);
+            corners.push_back(corners.front());
+        }
+        canvas.stroke_path(corners, is_closed ? wide : SurfaceSize::thick * u, theme.wall);
+    };
+    std::visit(
+        Overloaded{[&](const Obstacle::Ball& ball) {
+                       constexpr int count = 72;
+                       const double radius = std::max(ball.radius, 0.1 * u / map.scale);
+                       for (int k = 0; k < count; ++k) {
+                           const double angle = 2.0 * std::numbers::pi * k / count;
+                           const double inside = radius - 0.5 * wide / map.scale;
+                           add(ball.center[0] + inside * std::cos(angle),
+                               ball.center[1] + inside * std::sin(angle));
+                       }
+                       const Point center =
+                           map.pixel({ball.center[0] + shift.x, ball.center[1] + shift.y});
+                       canvas.fill_circle(center, radius * map.scale, fill_of_obstacle());
+                       if (radius * map.scale > hatch_apart * u)
+                           hatch_polygon(canvas, corners, hatch_apart * u, 0.09 * u, theme.wall);
+                       canvas.stroke_circle(center, std::max(0.0, radius * map.scale - wide / 2),
+                                            wide, theme.wall);
+                   },
+                   [&](const Obstacle::Lines& lines) {
+                       for (const Vec& corner : lines.corners) add(corner[0], corner[1]);
+                       draw_lines(lines.is_closed);
+                   },
+                   [&](const Obstacle::Cuboid& block) {
+                       add(block.low[0], block.low[1]);
+                       add(block.high[0], block.low[1]);
+                       add(block.high[0], block.high[1]);
+                       add(block.low[0], block.high[1]);
+                       draw_lines(true);
+                   }},
+        obstacle.shape);
+}
+
+// With its periodic images.
+void SurfaceView::Brush::draw_images(const Obstacle& obstacle) const {
+    for (const double across : {-1.0, 0.0, 1.0})
+        for (const double up : {-1.0, 0.0, 1.0}) {
+            if ((across != 0.0 && !box.is_periodic(0)) || (up != 0.0 && !box.is_periodic(1)))
+                continue;
+            draw_obstacle(obstacle, {across * box.size[0], up * box.size[1]});
+        }
 }
 
 void SurfaceView::Brush::draw_obstacles() const {
     canvas.clip_to(room);
-    for (const Obstacle& obstacle : box.surfaces.obstacles)
-        for (const double across : {-1.0, 0.0, 1.0})
-            for (const double up : {-1.0, 0.0, 1.0}) {
-                if ((across != 0.0 && !box.is_periodic(0)) || (up != 0.0 && !box.is_periodic(1)))
-                    continue;
-                draw_obstacle(obstacle, {across * box.size[0], up * box.size[1]});
-            }
+    for (const Obstacle& obstacle : box.surfaces.obstacles) draw_images(obstacle);
     canvas.release_clip();
 }
 
@@ -221,40 +179,6 @@ void SurfaceView::Brush::draw_side_arrow(std::size_t side) const {
                        {2.0 * half * up.x, 2.0 * half * up.y});
 }
 
-// The part of the label of the lower or the upper side that fits beside its arrow, or beyond the
-// side: all of it, or only its last part. The arrow is shifted if necessary.
-SurfaceView::Brush::SideLabel SurfaceView::Brush::label_beside(std::size_t side) const {
-    if (is_upright(side)) return {};
-    const std::string all = label_of_surface(view.language_, view.gas_, behaviour(side), 1);
-    const auto* piston = piston_of(behaviour(side));
-    const bool has_arrow = piston != nullptr && piston->force != 0.0;
-    const double taken = has_arrow ? 1.8 * u : 0.0;
-    const std::size_t comma = all.rfind(", ");
-    const std::string last = comma == std::string::npos ? all : all.substr(comma + 2);
-    for (const std::string& words : {all, last}) {
-        const double width = measure_text(escape_markup(words), label_style(dc)).width;
-        if (width + taken > room.width) continue;
-        const double excess = has_arrow ? 0.5 * taken + width - room.width / 2 : 0.0;
-        return {words, has_arrow, std::max(0.0, excess)};
-    }
-    return {"", has_arrow, 0.0};
-}
-
-void SurfaceView::Brush::draw_side_label(std::size_t side) const {
-    const auto [words, has_arrow, shift] = label_beside(side);
-    if (words.empty()) return;
-    TextStyle style = label_style(dc);
-    style.color = label_color(side);
-    style.align = has_arrow ? Align::left : Align::center;
-    const double from = bath_of(behaviour(side)) ? SurfaceSize::bath : SurfaceSize::bar;
-    const Rect band =
-        outside(side, from * u, (has_arrow ? SurfaceSize::arrow : SurfaceSize::label) * u);
-    draw_text(canvas,
-              {band.x + band.width / 2 + (has_arrow ? 0.9 * u - shift : 0.0),
-               band.y + band.height / 2 + 0.36 * u},
-              escape_markup(words), style);
-}
-
 // -------------------------------------------------------------------------------------- partitions
 
 void SurfaceView::Brush::draw_line(Point from, Point to, std::size_t k) const {
@@ -274,7 +198,8 @@ void SurfaceView::Brush::draw_line(Point from, Point to, std::size_t k) const {
                behaviour(k));
 }
 
-// An open partition is drawn by its ends at the walls only.
+// An open partition is drawn by its ends at the walls only. Where a gap in space leaves a part of
+// what stands behind one another, the line is thin.
 void SurfaceView::Brush::draw_partition(std::size_t k) const {
     const Partition& partition = *box.surfaces.partition(k);
     const double at = place_of_surface(box, states, k);
@@ -291,12 +216,12 @@ void SurfaceView::Brush::draw_partition(std::size_t k) const {
         canvas.stroke_line(pixel(end - end_length), pixel(end), SurfaceSize::line * u, theme.wall);
         return;
     }
-    double from = begin;
-    for (const Gap& gap : partition.gaps) {
-        if (gap.from() > from) draw_line(pixel(from), pixel(gap.from()), k);
-        from = gap.to();
-    }
-    if (end > from) draw_line(pixel(from), pixel(end), k);
+    for (const Stretch& part : stretches(partition, begin, end))
+        if (part.is_whole)
+            draw_line(pixel(part.from), pixel(part.to), k);
+        else
+            canvas.stroke_line(pixel(part.from), pixel(part.to), SurfaceSize::line * u,
+                               theme.muted);
 }
 
 void SurfaceView::Brush::draw_block(const Rect& block, std::size_t k) const {
@@ -351,91 +276,17 @@ void SurfaceView::Brush::draw_ends(std::size_t k) const {
         {0.8 * SurfaceSize::arrow * sign * u * up.x, 0.8 * SurfaceSize::arrow * sign * u * up.y});
 }
 
-// The baseline of words from one place to another that stand on the end of a side at the left or
-// the right: over the upper side or, where the words of that are, over these.
-double SurfaceView::Brush::row_over_side(double from, double to) const {
-    const double row = view.whole(map, u).y + 1.05 * u;
-    if (moves(behaviour(top_side))) return row;  // the sides reach to where it moves
-    const auto [words, has_arrow, shift] = label_beside(top_side);
-    if (!words.empty() || has_arrow) {
-        const double width = measure_text(escape_markup(words), label_style(dc)).width;
-        const double middle = room.x + room.width / 2, half = 0.5 * SurfaceSize::arrow * u;
-        const double left = has_arrow ? middle - shift - half : middle - width / 2;
-        const double right = has_arrow ? middle - shift + half + width : middle + width / 2;
-        if (from < right + 0.5 * u && to > left - 0.5 * u) return row;
-    }
-    const double hatch = is_imposed(top_side) ? SurfaceSize::hatch : 0.0;
-    return std::max(row, room.y - (thickness(top_side) + hatch + 0.45) * u);
-}
-
-// A heat bath's words have its colour, in print that of all words.
-Color SurfaceView::Brush::label_color(std::size_t k) const {
-    const auto* bath = bath_of(behaviour(k));
-    if (theme.kind == ThemeKind::print) return theme.ink;
-    return bath != nullptr ? legible(bath_color(*bath), theme) : theme.ink;
-}
-
-// Labels of vertical partitions are in a row above the box, clear of each other, and those of sides
-// on their ends; labels of horizontal partitions are on them.
-void SurfaceView::Brush::draw_labels() const {
-    TextStyle style = label_style(dc);
-    style.color = theme.ink;
-    std::vector<SurfaceLabel> labels;
-    for (std::size_t k = 0; k < states.size(); ++k) {
-        const int axis = box.surfaces.axis_of(k);
-        const std::string words = label_of_surface(view.language_, view.gas_, behaviour(k), axis);
-        if (words.empty() || states[k].is_open || (axis == 1 && box.surfaces.is_side(k))) continue;
-        const double at = place_of_surface(box, states, k);
-        const Point foot = map.pixel({at, at});
-        if (axis == 0) {
-            labels.push_back(
-                {foot.x, escape_markup(words), box.surfaces.is_side(k), label_color(k)});
-            continue;
-        }
-        TextStyle within = style;
-        within.halo = 0.16 * u;
-        within.behind = theme.ground;
-        draw_text(canvas, {room.x + 0.5 * u, foot.y - 0.45 * u}, escape_markup(words), within);
-    }
-    std::ranges::stable_sort(labels, {}, &SurfaceLabel::middle);
-    const Rect all = view.whole(map, u);
-    const double gap = 1.2 * u;
-    const auto width_of = [&](const SurfaceLabel& label) {
-        return measure_text(label.words, style).width + gap;
-    };
-    const auto all_widths = [&] {
-        double sum = -gap;
-        for (const SurfaceLabel& label : labels) sum += width_of(label);
-        return sum;
-    };
-    while (!labels.empty() && all_widths() > all.width)  // the longest says the most, but not there
-        labels.erase(std::ranges::max_element(labels, {}, width_of));
-    std::vector<double> lefts;
-    double least = all.x;
-    for (const SurfaceLabel& label : labels) {
-        const double width = measure_text(label.words, style).width;
-        lefts.push_back(std::max(least, label.middle - width / 2));
-        least = lefts.back() + width + gap;
-    }
-    double most = all.right();
-    for (std::size_t k = labels.size(); k-- > 0;) {
-        lefts[k] = std::min(lefts[k], most - measure_text(labels[k].words, style).width);
-        const double right = lefts[k] + width_of(labels[k]) - gap;
-        most = lefts[k] - gap;
-        style.color = labels[k].color;
-        const double row = labels[k].is_of_side ? row_over_side(lefts[k], right) : all.y + 1.05 * u;
-        draw_text(canvas, {lefts[k], row}, labels[k].words, style);
-    }
-}
-
 void SurfaceView::Brush::draw_gravity() const {
     const Vec& g = box.surfaces.gravity;
-    const double size = std::hypot(g[0], g[1]);
+    const double size = length(g);
     if (!(size > 0.0)) return;
-    const double length = 2.0 * u;
+    const double reach = 2.0 * u;
     const Point middle{view.whole(map, u).x + 1.1 * u, map.frame.y + 2.0 * u};
-    const Point step{length * g[0] / size, -length * g[1] / size};
-    draw_surface_arrow(canvas, dc, {middle.x - step.x / 2, middle.y - step.y / 2}, step);
+    const Point step{reach * g[0] / size, -reach * g[1] / size};
+    if (std::hypot(step.x, step.y) > 0.5 * reach)
+        draw_surface_arrow(canvas, dc, {middle.x - step.x / 2, middle.y - step.y / 2}, step);
+    else
+        draw_arrow_end_on(canvas, dc, middle, g[2] > 0.0);
     TextStyle style = label_style(dc);
     style.color = theme.ink;
     style.align = Align::center;

@@ -209,4 +209,14 @@ void draw_surface_arrow(Canvas& canvas, const DrawContext& dc, Point from, Point
                 .edge_color = dc.theme.page});
 }
 
+void draw_arrow_end_on(Canvas& canvas, const DrawContext& dc, Point middle, bool toward_viewer) {
+    const double u = dc.unit, radius = 0.55 * u;
+    canvas.stroke_circle(middle, radius, 0.13 * u, dc.theme.ink);
+    if (toward_viewer) return canvas.fill_circle(middle, 0.2 * u, dc.theme.ink);
+    const double arm = radius * std::numbers::sqrt2 / 2;
+    for (const double turn : {1.0, -1.0})
+        canvas.stroke_line({middle.x - arm, middle.y - turn * arm},
+                           {middle.x + arm, middle.y + turn * arm}, 0.13 * u, dc.theme.ink);
+}
+
 }  // namespace carom

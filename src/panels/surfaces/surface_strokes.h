@@ -9,7 +9,7 @@
 
 namespace carom {
 
-/// The sides of a box: left, right, bottom, top.
+/// The sides of a box around its picture: left, right, bottom, top.
 inline constexpr std::size_t bottom_side = 2, top_side = 3;
 inline bool is_upright(std::size_t side) { return side < bottom_side; }
 
@@ -47,5 +47,9 @@ void draw_ticks(Canvas& canvas, const DrawContext& dc, const Rect& band, std::si
 
 /// An arrow for a force, an imposed motion or gravity.
 void draw_surface_arrow(Canvas& canvas, const DrawContext& dc, Point from, Point step);
+
+/// The same along the line of sight: its tip, a dot in a circle, if it points toward the viewer,
+/// otherwise its feathers, a cross.
+void draw_arrow_end_on(Canvas& canvas, const DrawContext& dc, Point middle, bool toward_viewer);
 
 }  // namespace carom

@@ -107,9 +107,10 @@ SurfaceView::Margins SurfaceView::margins_of() const {
     for (std::size_t k = 0; k < behaviours_.size(); ++k) {
         const int axis = gas.box.surfaces.axis_of(k);
         for (const Behaviour& behaviour : behaviours_[k]) {
-            if (axis == 0 && !label_of_surface(Language::english, gas, behaviour, axis).empty())
+            if ((axis == 0 && !label_of_surface(Language::english, gas, behaviour, axis).empty()) ||
+                (axis == 2 && !only_reflects(behaviour)))
                 names = SurfaceSize::label;
-            if (gas.box.surfaces.is_side(k) || !has_ends(behaviour)) continue;
+            if (gas.box.surfaces.is_side(k) || axis == 2 || !has_ends(behaviour)) continue;
             const auto first = static_cast<std::size_t>(axis == 0 ? 2 : 0);
             for (const std::size_t end : {first, first + 1}) blocks[end] = SurfaceSize::block;
         }

@@ -1,8 +1,9 @@
 // The appearance of the surfaces of a box: sides that do more than reflect, partitions, obstacles
 // and gravity, and the room that they need around the box. If sides move, the picture is laid out
 // for the largest extent of the box. A surface with an imposed motion is hatched, a freely moving
-// one is a plain bar, a heat bath has a wavy line, a membrane is dashed, a demon is dotted. Draws
-// no particles.
+// one is a plain bar, a heat bath has a wavy line, a membrane is dashed, a demon is dotted. A box
+// in space is seen from the front: what is perpendicular to z is a frame, the smaller the further
+// back it is. Draws no particles.
 #pragma once
 
 #include <array>
@@ -58,13 +59,25 @@ class SurfaceView {
     Region room(const std::vector<SurfaceState>& states) const;
 
     /// draw_room() fills the interior and draws the outline of the box and what is in it; not for a
-    /// plain box.
+    /// plain box. In space it draws nothing that stands in depth, and draw_partitions() those that
+    /// are seen as lines.
     void draw_room(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                    const std::vector<SurfaceState>& states) const;
     void draw_obstacles(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                         const std::vector<SurfaceState>& states) const;
     void draw_partitions(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                          const std::vector<SurfaceState>& states) const;
+    /// In space: what stands at a depth, by its number among the surfaces and its place along z:
+    /// partitions across z, back and front walls that act, and obstacles. From back to front; of a
+    /// particle and any of these, the one further in front hides the other.
+    struct InDepth {
+        double depth;
+        std::size_t surface;
+    };
+    std::vector<InDepth> in_depth(const std::vector<SurfaceState>& states) const;
+    void draw_in_depth(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
+                       const std::vector<SurfaceState>& states, std::size_t surface) const;
+
     /// Draws what is outside of the interior, and the labels of surfaces.
     void draw_around(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                      const std::vector<SurfaceState>& states) const;
@@ -78,6 +91,7 @@ class SurfaceView {
         double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0;
     };
     Margins margins_of() const;
+    bool is_deep() const;
     bool may_move(std::size_t k) const;
     double thickness_of(std::size_t side) const;
 

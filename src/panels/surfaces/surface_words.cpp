@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
 #include "physics/gas.h"
+#include "physics/units/axis_letter.h"
 #include "scene/describe.h"
 #include "util/overloaded.h"
 #include "util/text.h"
@@ -45,8 +47,10 @@ std::string label_of_membrane(Language language, const Gas& gas, const Membrane&
             say(language, "lets {} through", listed(language, names_of_passing(gas, membrane))));
     const std::string up = label_of_speeds(language, membrane.upward),
                       down = label_of_speeds(language, membrane.downward);
-    if (!up.empty()) labels.push_back((axis == 0 ? "→ " : "↑ ") + up);
-    if (!down.empty()) labels.push_back((axis == 0 ? "← " : "↓ ") + down);
+    constexpr std::array<const char*, 3> ways_up{"→ ", "↑ ", "↙ "}, ways_down{"← ", "↓ ", "↗ "};
+    const auto its = static_cast<std::size_t>(axis);
+    if (!up.empty()) labels.push_back(ways_up.at(its) + up);
+    if (!down.empty()) labels.push_back(ways_down.at(its) + down);
     if (labels.empty()) return say(language, "lets none through");
     std::string text = labels[0];
     for (std::size_t k = 1; k < labels.size(); ++k) text += ", " + labels[k];
@@ -77,6 +81,12 @@ std::string doing_of(Language language, const Gas& gas, const SurfaceState& stat
 double place_of_surface(const Box& box, std::span<const SurfaceState> states, std::size_t k) {
     if (k < states.size() && states[k].motion) return states[k].motion->place;
     return box.place_of(k);
+}
+
+std::string short_name_of_surface(Language language, const Box& box, std::size_t k) {
+    constexpr std::array sides{Phrase{"left"},  Phrase{"right"}, Phrase{"below"},
+                               Phrase{"above"}, Phrase{"back"},  Phrase{"front"}};
+    return box.surfaces.is_side(k) ? say(language, sides.at(k)) : box.surfaces.names().at(k);
 }
 
 std::string label_of_surface(Language language, const Gas& gas, const Behaviour& behaviour,
@@ -117,9 +127,8 @@ std::string words_at_present(Language language, const Gas& gas,
             say(language, "{} {}", name_of_surface(language, static_cast<std::int32_t>(k), gas),
                 doing_of(language, gas, state, axis));
         const std::string place = three_digits(language, place_of_surface(gas.box, states, k));
-        const char* along = axis == 0 ? "x" : "y";
         const std::string where =
-            has_place ? say(language, "{}, at {} = {}", doing, along, place) : doing;
+            has_place ? say(language, "{}, at {} = {}", doing, axis_letter(axis), place) : doing;
         text += where + ". ";
     }
     if (!text.empty()) text.pop_back();

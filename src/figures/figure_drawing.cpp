@@ -53,7 +53,7 @@ Sheet sheet_of(const Scene& scene, const FigureSpec& spec) {
             (sheet.box_width - key_gap - key_width - (pictures - 1.0) * strip_gap) / pictures;
     const Box& box = scene.gas.box;
     double shape = shape_of_plots;
-    if (draws_box(spec)) shape = box.dimension == 2 ? box.size[1] / box.size[0] : shape_of_wires;
+    if (draws_box(spec)) shape = box.dimension == 1 ? shape_of_wires : box.size[1] / box.size[0];
     const double times = pictures > 1.0 ? row_of_times : 0.0;
     const double least = draws_box(spec) ? least_key(scene) : 0.0;
     sheet.height =

@@ -29,9 +29,9 @@ std::string kind_words(const Scene& scene, const Figure& figure) {
     const Language language = scene.film.language;
     const PanelSpec& panel = figure.spec->panel;
     if (kind_of(panel).draws_box && !panel.title)
-        return scene.gas.box.dimension == 2 ? say(language, "The gas")
-                                            : say(language, "The beads on their wire");
-    const std::string words = capitalised(name_of_panel(language, panel));
+        return scene.gas.box.dimension == 1 ? say(language, "The beads on their wire")
+                                            : say(language, "The gas");
+    const std::string words = capitalised(name_of_panel(scene, panel));
     const std::vector<std::string> parts = figure.panel->parts();
     if (panel.title || parts.empty()) return words;
     return fmt::format("{} ({})", words, fmt::join(parts, ", "));

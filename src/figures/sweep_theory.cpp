@@ -83,9 +83,12 @@ std::optional<double> ideal_gas_of_number(const std::string& number, const Scene
 }
 
 Phrase name_of_theory(const std::string& number, const Scene& scene) {
-    const bool is_line = scene.gas.box.dimension == 1;
+    const int dimension = scene.gas.box.dimension;
+    const bool is_line = dimension == 1;
     if (is_pressure(number))
-        return is_line ? Phrase{"hard rods (Tonks)"} : Phrase{"hard disks (Kolafa and Rottner)"};
+        return is_line          ? Phrase{"hard rods (Tonks)"}
+               : dimension == 2 ? Phrase{"hard disks (Kolafa and Rottner)"}
+                                : Phrase{"hard spheres (Kolafa, Labík and Malijevský)"};
     if (number == "collision rate" || number == "mean free path")
         return is_line ? Phrase{"kinetic theory"} : Phrase{"kinetic theory (Enskog)"};
     return Phrase{"equilibrium"};
@@ -103,7 +106,7 @@ std::optional<double> density_of(const Scene& scene) {
     const Box& box = scene.gas.box;
     double count = 0.0;
     for (const Species& species : scene.gas.species) count += static_cast<double>(species.count);
-    return count / (box.dimension == 1 ? box.size[0] : box.content());
+    return count / box.content();
 }
 
 }  // namespace carom

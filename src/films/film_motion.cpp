@@ -29,7 +29,7 @@ double pixels_moved(const Scene& scene, const Sample& start) {
 }
 
 // The sum of the circumferences of all disks, divided by the side of a square with the area of the
-// box.
+// box in the picture.
 double edges_of(const Box& box, const Particles& particles) {
     if (box.dimension == 1) return 0.0;
     return 2.0 * std::numbers::pi * particles.radius.sum() / std::sqrt(box.size[0] * box.size[1]);
@@ -44,7 +44,7 @@ Motion motion_of(const Scene& scene, const Particles& particles, const Sample& s
     if (edges_of(scene.gas.box, particles) > few_edges) return Motion::usual;
     if (pixels_moved(scene, start) > fast) return Motion::fast;
     // Beads on a line that touch each other also have edges close together.
-    const bool is_sparse = scene.gas.box.dimension == 2 && !scene.film.field;
+    const bool is_sparse = scene.gas.box.dimension > 1 && !scene.film.field;
     return is_sparse ? Motion::sparse : Motion::usual;
 }
 

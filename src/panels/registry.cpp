@@ -6,6 +6,7 @@
 #include "panels/line/line_panel.h"
 #include "panels/plot/plot_panel.h"
 #include "scene/panel_kind.h"
+#include "scene/scene.h"
 
 namespace carom {
 
@@ -68,8 +69,12 @@ MeasuredAt places_of(const PanelSpec& spec) {
     return kind.measured_at ? kind.measured_at(spec) : MeasuredAt{};
 }
 
-std::string name_of_panel(Language language, const PanelSpec& spec) {
-    return spec.title ? *spec.title : say(language, kind_of(spec).words);
+std::string name_of_panel(const Scene& scene, const PanelSpec& spec) {
+    if (spec.title) return *spec.title;
+    const PanelKind& kind = kind_of(spec);
+    const bool is_deep = scene.gas.box.dimension == 3;
+    return say(scene.film.language,
+               is_deep ? kind.words_in_space.value_or(kind.words) : kind.words);
 }
 
 std::unique_ptr<Panel> make_gas_panel(const PanelContext& context,

@@ -26,8 +26,8 @@ const PanelKind& kind_of(const PanelSpec& spec);
 PanelWork work_of(const PanelSpec& spec, const Run& run);
 MeasuredAt places_of(const PanelSpec& spec);
 
-/// The title that a scene gives a panel, or what its kind is called in a language.
-std::string name_of_panel(Language language, const PanelSpec& spec);
+/// The title that a scene gives a panel, or what its kind is called in the scene's language.
+std::string name_of_panel(const Scene& scene, const PanelSpec& spec);
 
 /// Makes a panel of `spec.kind`. An unknown kind is a programmer's error: the scene has been
 /// validated.

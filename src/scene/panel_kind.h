@@ -141,6 +141,9 @@ struct PanelKind {
     /// Returns what it does with the run. Empty: nothing more than a look.
     std::function<PanelWork(const PanelSpec&, const Run&)> work = {};
 
+    /// What it is called in captions and transcripts of a gas in space, if not by `words`.
+    std::optional<Phrase> words_in_space = {};
+
     /// Whether it shows something of the run; otherwise it has no numbers, and is the same for two
     /// runs.
     bool shows_run = true;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "panels/chosen.h"
 #include "panels/correlations/lag_meter.h"
@@ -32,9 +31,7 @@ double largest_distance(const Scene& scene, const PanelWork& work, const Particl
 double pairs_near(const Box& box, double particles, double distance) {
     constexpr double margin = 1.35;  // for the way that both fly meanwhile
     const double reach = margin * distance;
-    const double share = box.dimension == 2
-                             ? std::numbers::pi * reach * reach / (box.size[0] * box.size[1])
-                             : 2.0 * reach / box.size[0];
+    const double share = content_of_ball(reach, box.dimension) / box.content();
     return particles * std::min(1.0, share);
 }
 

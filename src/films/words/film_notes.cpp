@@ -68,14 +68,13 @@ std::vector<FilmNote> film_notes(const Scene& scene, const std::vector<Tick>& ti
     if (scene.film.field) notes.push_back({0.0, words_of_field(scene)});
     for (const PanelSpec& panel : scene.film.panels) {
         if (panel.show.from > 0.0)
-            notes.push_back(
-                {panel.show.from,
-                 say(language, "The panel “{}” appears", name_of_panel(language, panel)),
-                 panel.show.from});
+            notes.push_back({panel.show.from,
+                             say(language, "The panel “{}” appears", name_of_panel(scene, panel)),
+                             panel.show.from});
         if (panel.show.until)
             notes.push_back(
                 {*panel.show.until,
-                 say(language, "The panel “{}” disappears", name_of_panel(language, panel)),
+                 say(language, "The panel “{}” disappears", name_of_panel(scene, panel)),
                  *panel.show.until});
     }
     add_spotlights(scene, notes);
@@ -84,9 +83,9 @@ std::vector<FilmNote> film_notes(const Scene& scene, const std::vector<Tick>& ti
         if (const auto* particle = std::get_if<std::int64_t>(&callout.on))
             what = say(language, "Particle {}", *particle);
         else
-            what = say(
-                language, "“{}”",
-                name_of_panel(language, scene.film.panels[std::get<PlotPoint>(callout.on).panel]));
+            what =
+                say(language, "“{}”",
+                    name_of_panel(scene, scene.film.panels[std::get<PlotPoint>(callout.on).panel]));
         const Showing shown = showing(ticks, scene.film, {.from = callout.at}, callout.seconds);
         notes.push_back(
             {callout.at,

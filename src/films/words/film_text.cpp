@@ -181,16 +181,14 @@ std::string on_one_line(std::string words) {
 std::string picture_text(const Scene& scene, bool has_sound) {
     const Language language = scene.film.language;
     std::vector<std::string> panels;
-    for (const PanelSpec& panel : scene.film.panels)
-        panels.push_back(name_of_panel(language, panel));
+    for (const PanelSpec& panel : scene.film.panels) panels.push_back(name_of_panel(scene, panel));
     std::string text = say(language, coloring(scene));
     if (!panels.empty())
         text += " " + say(language, "Shown with the particles: {}.", listed(language, panels));
     for (const PanelSpec& panel : scene.film.panels)
         if (const PanelKind& kind = kind_of(panel); kind.text)
-            text +=
-                " " + say(language, "The panel “{}” reads: “{}”", name_of_panel(language, panel),
-                          on_one_line(formula::spoken_text(language, kind.text(panel))));
+            text += " " + say(language, "The panel “{}” reads: “{}”", name_of_panel(scene, panel),
+                              on_one_line(formula::spoken_text(language, kind.text(panel))));
     if (has_sound)
         text +=
             " " +

@@ -20,9 +20,12 @@ void check_orientational_order(PanelSpec&, const Node& node, Reading& reading) {
 
 SeriesSubject orientational_order(const PanelContext& context, const PanelSpec&) {
     const Language language = context.language();
+    const bool is_deep = context.box().dimension == 3;
     SeriesSubject subject{
-        {.title = say(language, "Hexagonal order"),
-         .quantity = quantities::number.named(Phrase{"hexagonal order"}),
+        {.title = is_deep ? say(language, "Orientational order") + " <i>q</i><sub>6</sub>"
+                          : say(language, "Hexagonal order"),
+         .quantity = quantities::number.named(is_deep ? Phrase{"orientational order"}
+                                                      : Phrase{"hexagonal order"}),
          .lines = {{"whole gas", say(language, "whole gas"), {.of = plot::Role::Of::highlight}},
                    {"neighbours of each", say(language, "local")}}}};
     subject.read = [context](const FrameInput& o) -> std::vector<double> {
@@ -43,10 +46,12 @@ PanelKind orientational_order_kind() {
         {.name = "orientational-order",
          .words = Phrase{"hexagonal order"},
          .shows =
-             "The hexagonal order against time: of each disk's neighbours, and of the whole gas.",
+             "The hexagonal order against time, in space the order *q*6 of Steinhardt, Nelson and "
+             "Ronchetti: of each particle's neighbours, and of the whole gas.",
          .abilities = {means, comparison},
          .rule = check_orientational_order,
-         .work = always(PanelWork{.finds_neighbours = true})});
+         .work = always(PanelWork{.finds_neighbours = true}),
+         .words_in_space = Phrase{"orientational order"}});
 }
 
 }  // namespace carom

@@ -1,5 +1,5 @@
-// The pair correlation g(r) of disks or beads, from the exact times spent at each distance, with
-// the theoretical contact value for equal disks.
+// The pair correlation g(r) of particles, from the exact times spent at each distance, with
+// the theoretical contact value for equal disks or spheres.
 #include "stats/pairs/pair_correlation.h"
 
 #include <fmt/format.h>
@@ -131,7 +131,9 @@ class PairMeter : public CurveMeter {
     std::optional<PairCorrelation> pairs_;  ///< with the rings of the axis
 };
 
-void add_contact(Language language, double contact, double value, plot::Plot& plot) {
+// `name`: of the equation of state from which the value follows.
+void add_contact(Language language, const std::string& name, double contact, double value,
+                 plot::Plot& plot) {
     const plot::Dot dot{.role = {.of = plot::Role::Of::accent}, .radius = 0.35, .halo = 0.1};
     plot::Points points;
     points.part = "contact";
@@ -141,8 +143,8 @@ void add_contact(Language language, double contact, double value, plot::Plot& pl
     points.dot = dot;
     plot.layers.emplace_back(std::move(points));
     const std::string number = three_digits(language, value);
-    plot.notes.push_back({.entries = {{.words = {say(language, "{}: Henderson at contact", number),
-                                                 say(language, "{}: Henderson", number), number},
+    plot.notes.push_back({.entries = {{.words = {say(language, "{}: {} at contact", number, name),
+                                                 say(language, "{}: {}", number, name), number},
                                        .dot = dot}}});
 }
 
@@ -185,9 +187,10 @@ std::unique_ptr<Panel> make_pair_correlation(const PanelContext& context, const 
     const Law contact = law(context.gas, LawOf::contact);
     if (spec.theory && contact) {
         subject.least_top = 1.1 * contact.value;
-        subject.add = [language, rings, contact = contact.value](const CurveValues*,
-                                                                 plot::Plot& plot) {
-            add_contact(language, rings.contact, contact, plot);
+        const std::string name(name_of(EquationOfState::simple, context.box().dimension));
+        subject.add = [language, name, rings, contact = contact.value](const CurveValues*,
+                                                                       plot::Plot& plot) {
+            add_contact(language, name, rings.contact, contact, plot);
         };
     }
     return std::make_unique<CurvePanel>(context, std::move(subject));
@@ -201,7 +204,8 @@ PanelKind pair_correlation_kind() {
             .words = Phrase{"pair correlation"},
             .shows =
                 "*g*(*r*): the number of pairs at each distance, relative to that of random "
-                "points in the same box, with Henderson's value for equal disks at contact.",
+                "points in the same box, with the value of Henderson for equal disks at contact, "
+                "or that of Carnahan and Starling for equal spheres.",
             .make = make_pair_correlation,
             .abilities = {of, over, theory, means, comparison},
             .tried_as = {"rdf"},

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -310,10 +311,10 @@ void ReturnDistancePanel::add_level(Plot& plot) const {
     level.more = {column(distance_column, {first.radius})};
     level.still = true;
     Label name;
-    const bool is_plane = context_.box().dimension == 2;
-    const Phrase radius = !first.all_alike ? Phrase{"mean radius"}
-                          : is_plane       ? Phrase{"one disk radius"}
-                                           : Phrase{"one bead radius"};
+    constexpr std::array of_one{Phrase{"one bead radius"}, Phrase{"one disk radius"},
+                                Phrase{"one sphere radius"}};
+    const auto dimension = static_cast<std::size_t>(context_.box().dimension);
+    const Phrase radius = first.all_alike ? of_one.at(dimension - 1) : Phrase{"mean radius"};
     name.words = {say(context_.language(), radius)};
     name.anchors = {{.at = {1.0, power},
                      .x_is_share = true,

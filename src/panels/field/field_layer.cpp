@@ -30,6 +30,11 @@ std::string words_of_mean(const Scene& scene) {
     const std::array<bool, 3> even = even_axes(scene.gas, scene.run.events);
     const std::string time = plain_number(language, scene.film.field->over);
     if (even[0] && even[1]) return say(language, "mean over the box and the last {}", time);
+    if (scene.gas.box.dimension == 3) {
+        if (even[0]) return say(language, "mean over width, depth and the last {}", time);
+        if (even[1]) return say(language, "mean over height, depth and the last {}", time);
+        return say(language, "mean over depth and the last {}", time);
+    }
     if (even[0]) return say(language, "mean over width and the last {}", time);
     if (even[1]) return say(language, "mean over height and the last {}", time);
     return say(language, "mean over the last {}", time);
@@ -52,8 +57,21 @@ std::string short_name(const Scene& scene, const Field& field) {
 
 }  // namespace
 
+namespace {
+
+// As they are seen: in space from the back of the box to its front.
+Cells squares_of_picture(const Box& box, int along_longer) {
+    Box seen = box;
+    seen.dimension = std::min(box.dimension, 2);
+    Cells cells = square_cells(seen, along_longer);
+    if (box.dimension == 3) cells.size[2] = cells.box[2] = box.size[2];
+    return cells;
+}
+
+}  // namespace
+
 Cells cells_of_field(const Scene& scene) {
-    Cells cells = square_cells(scene.gas.box, scene.film.field->cells);
+    Cells cells = squares_of_picture(scene.gas.box, scene.film.field->cells);
     const std::array<bool, 3> even = even_axes(scene.gas, scene.run.events);
     for (const Eigen::Index axis : {0, 1}) {
         if (!even.at(static_cast<std::size_t>(axis))) continue;
@@ -167,7 +185,7 @@ FieldLayer::FieldLayer(const PanelContext& context)
     : context_(context), field_(context.film().field) {
     if (!field_) return;
     cells_ = cells_of_field(context.scene);
-    squares_ = square_cells(context.box(), field_->cells);
+    squares_ = squares_of_picture(context.box(), field_->cells);
     scale_.mean = words_of_mean(context.scene);
     scale_.language = context.language();
     scale_.title = name_of_quantity(context.language(), context.scene, field_->of, field_->species);
@@ -180,7 +198,7 @@ void FieldLayer::survey(const FrameInput& input) {
     if (!shown()) return;
     surveyed_->see(input);
     Eigen::ArrayXd values = surveyed_->values();
-    if (is_flow() && context_.box().dimension == 2)
+    if (is_flow() && context_.box().dimension > 1)
         values = (values.square() + surveyed_->values(1).square()).sqrt();
     is_clear_somewhere_ = is_clear_somewhere_ || values.isNaN().any();
     for_each_kept(values.size(), static_cast<double>(values.size()), frames_seen_++,
@@ -206,7 +224,7 @@ std::shared_ptr<const FieldState> FieldLayer::see(const FrameInput& input) {
     shown_->see(input);
     auto state = std::make_shared<FieldState>();
     for (const double value : shown_->values()) state->values.push_back(static_cast<float>(value));
-    if (is_flow() && context_.box().dimension == 2)
+    if (is_flow() && context_.box().dimension > 1)
         for (const double value : shown_->values(1)) state->up.push_back(static_cast<float>(value));
     return state;
 }
@@ -287,9 +305,8 @@ void FieldLayer::draw_colors(Canvas& canvas, const DrawContext& dc, const FieldS
     Eigen::ArrayXd values(static_cast<Eigen::Index>(state.values.size()));
     for (Eigen::Index i = 0; i < values.size(); ++i)
         values[i] = static_cast<double>(state.values[static_cast<std::size_t>(i)]);
-    const bool is_plane = box.dimension == 2;
     values = smooth_cells(values, cells_.count[0], parts,
-                          {box.is_periodic(0), is_plane && box.is_periodic(1)});
+                          {box.is_periodic(0), box.dimension > 1 && box.is_periodic(1)});
     Cells fine = cells_;
     for (const std::size_t axis : {0, 1}) {
         fine.count[static_cast<Eigen::Index>(axis)] *= parts.at(axis);

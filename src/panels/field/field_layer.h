@@ -18,8 +18,9 @@
 
 namespace carom {
 
-/// The cells in which a film's field is measured: square ones or, along directions in which all
-/// places are alike (even_axes()), as long as the box. Requires a field.
+/// The cells in which a film's field is measured: squares of the picture or, along directions in
+/// which all places are alike (even_axes()), as long as the box; in space always as deep as the
+/// box, so that a field is the mean along the line of sight. Requires a field.
 Cells cells_of_field(const Scene& scene);
 
 /// Cells with a lower mean number of particles show nothing.

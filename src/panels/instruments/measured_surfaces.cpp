@@ -1,6 +1,7 @@
 #include "panels/instruments/measured_surfaces.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "panels/surfaces/surface_words.h"
@@ -24,18 +25,10 @@ double width_along(const Box& box, const std::vector<SurfaceState>& states, int 
 }  // namespace
 
 std::string short_name(Language language, const Box& box, std::int32_t surface) {
-    switch (surface) {
-        case 0:
-            return say(language, "left wall");
-        case 1:
-            return say(language, "right wall");
-        case 2:
-            return say(language, "bottom wall");
-        case 3:
-            return say(language, "top wall");
-        default:
-            return box.surfaces.names()[static_cast<std::size_t>(surface)];
-    }
+    constexpr std::array walls{Phrase{"left wall"}, Phrase{"right wall"}, Phrase{"bottom wall"},
+                               Phrase{"top wall"},  Phrase{"back wall"},  Phrase{"front wall"}};
+    const auto k = static_cast<std::size_t>(surface);
+    return box.surfaces.is_side(surface) ? say(language, walls.at(k)) : box.surfaces.names()[k];
 }
 
 std::vector<MeterLine> lines_of_surfaces(Language language, const Box& box,
@@ -48,21 +41,30 @@ std::vector<MeterLine> lines_of_surfaces(Language language, const Box& box,
     return lines;
 }
 
-double length_of_surface(const Box& box, const std::vector<SurfaceState>& states,
-                         std::int32_t surface) {
-    if (box.dimension == 1) return 1.0;
-    const int along = 1 - box.surfaces.axis_of(surface);
-    const auto [low, high] = ends_along(box, states, along);
-    double length = high - low;
-    const Partition* line = box.surfaces.partition(surface);
-    if (line == nullptr) return length;
-    for (const Gap& gap : line->gaps) {
-        // One that reaches a wall goes on beyond it, where the wall may be now.
-        const double begin = gap.from() > 0.0 ? std::max(gap.from(), low) : low;
-        const double end = gap.to() < box.length(along) ? std::min(gap.to(), high) : high;
-        length -= std::max(0.0, end - begin);
-    }
-    return length;
+double size_of_surface(const Box& box, const std::vector<SurfaceState>& states,
+                       std::int32_t surface) {
+    const int own = box.surfaces.axis_of(surface);
+    // What a part encloses whose ends along an axis are known: that of the other axes.
+    const auto size_of = [&](const auto& length_along) {
+        double size = 1.0;
+        std::size_t k = 0;
+        for (int axis = 0; axis < box.dimension; ++axis)
+            if (axis != own) size *= length_along(axis, k++);
+        return size;
+    };
+    double size = size_of([&](int axis, std::size_t) { return width_along(box, states, axis); });
+    const Partition* partition = box.surfaces.partition(surface);
+    if (partition == nullptr) return size;
+    for (const Gap& gap : partition->gaps)
+        size -= size_of([&](int axis, std::size_t k) {
+            // One that reaches a wall goes on beyond it, where the wall may be now.
+            const auto [low, high] = ends_along(box, states, axis);
+            const double begin = gap.low.at(k) > 0.0 ? std::max(gap.low.at(k), low) : low;
+            const double end =
+                gap.high.at(k) < box.length(axis) ? std::min(gap.high.at(k), high) : high;
+            return std::max(0.0, end - begin);
+        });
+    return size;
 }
 
 double push_on_surface(const AdvanceResult& advanced, const Box& box, std::int32_t surface) {
@@ -72,9 +74,10 @@ double push_on_surface(const AdvanceResult& advanced, const Box& box, std::int32
     return box.surfaces.is_side(surface) && !box.surfaces.is_far_side(surface) ? -push : push;
 }
 
-double enclosed_area(const Box& box, const std::vector<SurfaceState>& states) {
-    const double along = width_along(box, states, 0);
-    return box.dimension == 1 ? along : along * width_along(box, states, 1);
+double enclosed_content(const Box& box, const std::vector<SurfaceState>& states) {
+    double content = 1.0;
+    for (int axis = 0; axis < box.dimension; ++axis) content *= width_along(box, states, axis);
+    return content;
 }
 
 std::vector<Binding<PanelSpec>> moving_keys() {

@@ -1,5 +1,5 @@
-// The surfaces at which instruments measure: their names in a picture, their lengths, and the
-// momentum that they have received.
+// The surfaces at which instruments measure: their names in a picture, their lengths or areas, and
+// the momentum that they have received.
 #pragma once
 
 #include <string>
@@ -27,17 +27,16 @@ std::string short_name(Language language, const Box& box, std::int32_t surface);
 std::vector<MeterLine> lines_of_surfaces(Language language, const Box& box,
                                          const std::vector<std::int32_t>& surfaces);
 
-/// The length of a side, or of a partition without its gaps, between the present positions of the
-/// adjacent sides; 1 in one dimension.
-double length_of_surface(const Box& box, const std::vector<SurfaceState>& states,
-                         std::int32_t surface);
+/// The length, in space the area, of a side, or of a partition without its gaps, between the
+/// present positions of the adjacent sides; 1 in one dimension.
+double size_of_surface(const Box& box, const std::vector<SurfaceState>& states,
+                       std::int32_t surface);
 
 /// The normal momentum that particles have given to a surface since t = 0: outward for a side,
-/// toward larger x or y for a partition.
+/// toward larger coordinates for a partition.
 double push_on_surface(const AdvanceResult& advanced, const Box& box, std::int32_t surface);
 
-/// The area (in one dimension, the length) enclosed by the sides of the box at their present
-/// positions.
-double enclosed_area(const Box& box, const std::vector<SurfaceState>& states);
+/// The length, area or volume that the sides of the box enclose at their present positions.
+double enclosed_content(const Box& box, const std::vector<SurfaceState>& states);
 
 }  // namespace carom

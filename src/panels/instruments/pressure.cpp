@@ -105,17 +105,18 @@ ReferenceLevels levels(const PanelContext& context, const std::optional<ThermalM
     if (context.gas.are_points()) return all;
     const Law better = pressure_by(LawOf::pressure, EquationOfState::accurate);
     if (!better) return all;
-    if (context.box().dimension == 1) {
-        all.push_back(ReferenceLevel{"hard rods", better.value});
+    const int dimension = context.box().dimension;
+    const ReferenceLevel of_hard{std::string(name_of_hard(dimension).english), better.value};
+    if (dimension == 1) {
+        all.push_back(of_hard);
         return all;
     }
     const Law simple = pressure_by(LawOf::pressure, EquationOfState::simple);
     if (!simple) return all;
     constexpr double alike = 0.01;  // relative difference: one line in a plot
     if (std::abs(simple.value / better.value - 1.0) < alike) {
-        all.push_back(ReferenceLevel{"hard disks", better.value});
+        all.push_back(of_hard);
     } else {
-        const int dimension = context.box().dimension;
         const auto level = [&](EquationOfState equation, double value) {
             return ReferenceLevel{std::string(name_of(equation, dimension)), value};
         };
@@ -149,7 +150,8 @@ SeriesSubject pressure(const PanelContext& context, const PanelSpec& spec) {
         return surface_pressure(context, spec);
     const Over over = spec.over.value_or(Over{Over::Since::start, 0.0});
     const Box& box = context.box();
-    const bool walls = !box.is_periodic(0) || (box.dimension == 2 && !box.is_periodic(1));
+    const bool walls =
+        !on_each_axis(box.dimension, [&](int axis) { return box.is_periodic(axis); });
     const Gauge gauge(context, over);
     const Language language = context.language();
     SeriesSubject subject{

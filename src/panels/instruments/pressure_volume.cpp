@@ -1,6 +1,6 @@
-// The pressure on a moving wall against the area that the walls enclose, as a path; with the
-// isotherm and the adiabat of the gas through its start, or with the isotherms at the temperatures
-// at which heat baths keep it in turn.
+// The pressure on a moving wall against the area or volume that the walls enclose, as a path; with
+// the isotherm and the adiabat of the gas through its start, or with the isotherms at the
+// temperatures at which heat baths keep it in turn.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ Compression compression_of(const PanelContext& context, std::int32_t surface) {
     const Box& box = context.box();
     if (!box.surfaces.is_side(surface)) return {};
     const int axis = box.surfaces.axis_of(surface);
-    const double width = box.dimension == 1 ? 1.0 : box.length(1 - axis);
+    const double across = box.content_across(axis);
     Compression found;
     Asked asked{.surface = surface};
     for (int i = -steps; i <= steps; ++i)
@@ -62,7 +62,7 @@ Compression compression_of(const PanelContext& context, std::int32_t surface) {
     const Law isotherm = law(context.gas, LawOf::isotherm, asked);
     const Law adiabat = law(context.gas, LawOf::adiabat, asked);
     if (!isotherm || !adiabat) return {};
-    for (const double length : asked.lengths) found.area.push_back(length * width);
+    for (const double length : asked.lengths) found.area.push_back(length * across);
     found.start = isotherm.curve[steps];
     const bool are_several = isotherm.temperatures.size() > 1;
     const double at_start = adiabat.temperatures[steps];
@@ -173,7 +173,7 @@ class PressureVolumePanel : public FramesPanel<PressureVolumeRecord> {
 
 void PressureVolumePanel::survey(const FrameInput& input) {
     PressureVolumeRun& run = record_.runs.front();
-    const double area = enclosed_area(box(), input.advanced.surfaces);
+    const double area = enclosed_content(box(), input.advanced.surfaces);
     if (run.x.empty()) run.theory = compression_of(context_, options().surfaces.front());
     double pressure = meter_(input).front();
     if (!is_measured(input.tick.time)) pressure = std::numeric_limits<double>::quiet_NaN();
@@ -182,18 +182,20 @@ void PressureVolumePanel::survey(const FrameInput& input) {
 
 void PressureVolumePanel::make_axes() {
     const Language language = context_.language();
-    const bool is_line = box().dimension == 1;
-    const Phrase area = is_line ? Phrase{"length"} : Phrase{"area"};
+    const auto dimension = static_cast<std::size_t>(box().dimension);
+    const Phrase content =
+        std::array{Phrase{"length"}, Phrase{"area"}, Phrase{"volume"}}.at(dimension - 1);
+    constexpr std::array titles{Phrase{"Pressure and length"}, Phrase{"Pressure and area"},
+                                Phrase{"Pressure and volume"}};
     whole_ = {};
     whole_.language = language;
-    const plot::Text title = spec_.title ? escape_markup(*spec_.title)
-                                         : say(language, is_line ? Phrase{"Pressure and length"}
-                                                                 : Phrase{"Pressure and area"});
+    const plot::Text title =
+        spec_.title ? escape_markup(*spec_.title) : say(language, titles.at(dimension - 1));
     whole_.titles = {plot::text_of(language, Phrase{"{}: {}"},
                                    {title, words_of_moments(language, spec_, over())}),
                      title};
-    const int dimension = box().dimension;
-    whole_.x = plot::axis_of(language, quantities::content(dimension).named(area), INFINITY, 0.0);
+    whole_.x =
+        plot::axis_of(language, quantities::content(box().dimension).named(content), INFINITY, 0.0);
     std::vector<double> pressures;
     for (const PressureVolumeRun& run : record_.runs) {
         whole_.x.low = std::min(whole_.x.low, 0.95 * *std::ranges::min_element(run.y[run.area]));
@@ -202,8 +204,8 @@ void PressureVolumePanel::make_axes() {
             if (std::isfinite(pressure)) pressures.push_back(std::abs(pressure));
     }
     const double most = pressures.empty() ? 0.0 : 1.1 * quantile(pressures, 0.995);
-    whole_.y =
-        plot::axis_of(language, quantities::pressure(dimension), 0.0, round_up_for_axis(most));
+    whole_.y = plot::axis_of(language, quantities::pressure(box().dimension), 0.0,
+                             round_up_for_axis(most));
     whole_.columns = {*whole_.x.quantity, *whole_.y.quantity};
     if (record_.compares()) plot::name_runs(whole_, record_.names());
     for (std::size_t run = 0; run < record_.runs.size(); ++run)
@@ -239,10 +241,7 @@ void PressureVolumePanel::add_curves(const Compression& theory) {
         whole_.layers.emplace_back(std::move(level));
         whole_.y.high = std::max(whole_.y.high, round_up_for_axis(1.05 * times * theory.start));
     }
-    const bool is_line = box().dimension == 1;
-    const Phrase gas = theory.is_ideal ? Phrase{"ideal gas"}
-                       : is_line       ? Phrase{"hard rods"}
-                                       : Phrase{"hard disks"};
+    const Phrase gas = theory.is_ideal ? Phrase{"ideal gas"} : name_of_hard(box().dimension);
     plot::Note key{.entries = {{{}, {say(language, gas)}}},
                    .wraps = true,
                    .of_last_titles = whole_.titles.size()};
@@ -322,11 +321,11 @@ PanelKind pressure_volume_kind() {
     return {.name = "pressure-volume",
             .words = Phrase{"pressure and volume"},
             .shows =
-                "The pressure on a moving wall against the area, as a path; if the gas fills the "
-                "area and there is no gravity, with the isotherm and the adiabat of hard disks or "
-                "rods from the same start, or with an isotherm at each temperature to which heat "
-                "baths change together; where the radii of disks differ or they are very few, with "
-                "those of an ideal gas.",
+                "The pressure on a moving wall against the area, in space the volume, as a path; "
+                "if the gas fills it and there is no gravity, with the isotherm and the adiabat of "
+                "hard disks, spheres or rods from the same start, or with an isotherm at each "
+                "temperature to which heat baths change together; where the radii of disks differ "
+                "or they are very few, with those of an ideal gas.",
             .make = make_pressure_volume,
             .abilities = {over, theory, comparison},
             .keys = option_keys(pressure_volume_keys()),

@@ -1,5 +1,6 @@
 // The pressure on single walls and partitions against time: the momentum that particles give to
-// each, divided by time and length. On a partition it is the difference of its two faces.
+// each, divided by time and length, in space by time and area. On a partition it is the difference
+// of its two faces.
 #include "panels/instruments/surface_pressure.h"
 
 #include <algorithm>
@@ -11,6 +12,11 @@
 
 namespace carom {
 
+Phrase name_of_hard(int dimension) {
+    if (dimension == 1) return Phrase{"hard rods"};
+    return dimension == 2 ? Phrase{"hard disks"} : Phrase{"hard spheres"};
+}
+
 SurfacePressures::SurfacePressures(const Box& box, std::vector<std::int32_t> surfaces, Over over)
     : box_(box), surfaces_(std::move(surfaces)), received_(over) {}
 
@@ -21,13 +27,13 @@ std::vector<double> SurfacePressures::operator()(const FrameInput& input) {
     const bool is_first = received_.empty();
     Received now{.time = time};
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-        const double length = length_of_surface(box_, advanced.surfaces, surfaces_[i]);
+        const double size = size_of_surface(box_, advanced.surfaces, surfaces_[i]);
         const double before = is_first ? 0.0 : received_.last().reach[i];
         const double step = is_first ? 0.0 : time - received_.last().time;
         now.push.push_back(push_on_surface(advanced, box_, surfaces_[i]));
-        now.reach.push_back(before + 0.5 * step * (length + (is_first ? length : last_length_[i])));
-        last_length_.resize(surfaces_.size());
-        if (input.is_sample) last_length_[i] = length;
+        now.reach.push_back(before + 0.5 * step * (size + (is_first ? size : last_size_[i])));
+        last_size_.resize(surfaces_.size());
+        if (input.is_sample) last_size_[i] = size;
     }
     received_.add(std::move(now), input.is_sample);
 

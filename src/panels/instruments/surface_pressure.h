@@ -16,9 +16,13 @@ struct PressureOptions {
     bool gauge = false;            ///< on dials instead of a plot
 };
 
+/// "hard disks": what an equation of state is of.
+Phrase name_of_hard(int dimension);
+
 /// Measures the pressure on sides and partitions: the normal momentum that particles give to a
-/// surface, divided by time and length (in one dimension, by time). It counts outward on sides; on
-/// a partition it is the difference of its two faces, toward larger x or y.
+/// surface, divided by time and length (in space by time and area, on a line by time). It counts
+/// outward on sides; on a partition it is the difference of its two faces, toward larger
+/// coordinates.
 class SurfacePressures {
   public:
     SurfacePressures(const Box& box, std::vector<std::int32_t> surfaces, Over over);
@@ -31,7 +35,7 @@ class SurfacePressures {
     double of_all() const;
 
   private:
-    /// The momentum received up to a time, and the time integral of the length that received it.
+    /// The momentum received up to a time, and the time integral of the size that received it.
     struct Received {
         double time = 0.0;
         std::vector<double> push = {}, reach = {};
@@ -39,7 +43,7 @@ class SurfacePressures {
     Box box_;
     std::vector<std::int32_t> surfaces_;
     Trailing<Received> received_;
-    std::vector<double> last_length_;
+    std::vector<double> last_size_;
 };
 
 /// The pressures on the surfaces in `spec`, against time.

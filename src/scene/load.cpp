@@ -111,21 +111,6 @@ void place_surfaces(SceneDraft& draft, Errors& errors) {
     draft.surfaces_place = place_of(first_acting(draft, placed));
 }
 
-// Boxes with three lengths are read, checked and described, but only those with fewer can be
-// simulated and drawn.
-void refuse_space(const Scene& scene) {
-    std::vector<const Scene*> all = scenes_of_film(scene);
-    for (const FigureSpec& figure : scene.figures)
-        for (const ComparedRun& run : figure.compare) all.push_back(run.scene.get());
-    for (const Scene* one : all) {
-        if (one == nullptr || one->gas.box.dimension < 3) continue;
-        Diagnostic error = one->surface_places.front();
-        error.message = "a box with three lengths cannot be simulated yet";
-        error.hint = "give `size` two lengths, [width, height]";
-        throw SceneError({error});
-    }
-}
-
 // Completes the gas and the run from the draft of the scene, and checks them.
 void complete_physics(SceneDraft& draft, const Node& root, Errors& errors) {
     draft.gas.seed = draft.seed;
@@ -342,9 +327,7 @@ bool leave_out(const SceneError& error, const Source& file, LoadRequest& request
 
 Scene load(const Source& file, LoadRequest request) {
     while (true) try {
-            Scene scene = load_once(file, request);
-            refuse_space(scene);
-            return scene;
+            return load_once(file, request);
         } catch (const SceneError& error) {
             if (!leave_out(error, file, request)) throw;
         }
@@ -403,11 +386,6 @@ LoadedScene load_for_all(const fs::path& path, const SceneResources& resources,
 Scene load_run_text(const std::string& text, const std::string& name,
                     const SceneResources& resources, const Overrides& overrides) {
     return load({name, text}, {name, resources, overrides, Wanted::physics, {.figure = ""}});
-}
-
-Scene read_scene_text(const std::string& text, const std::string& name,
-                      const SceneResources& resources) {
-    return load_once({name, text}, {name, resources, {}, Wanted::film});
 }
 
 Scene load_scene_text(const std::string& text, const std::string& name,

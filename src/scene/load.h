@@ -44,10 +44,6 @@ Scene load_run(const std::filesystem::path& path, const SceneResources& resource
 Scene load_run_text(const std::string& text, const std::string& name,
                     const SceneResources& resources, const Overrides& overrides);
 
-/// Like load_scene_text(), but also of a box with three lengths, which that refuses.
-Scene read_scene_text(const std::string& text, const std::string& name,
-                      const SceneResources& resources);
-
 /// Like load_scene(), from text; `name` replaces the path in messages.
 Scene load_scene_text(const std::string& text, const std::string& name,
                       const SceneResources& resources, const Overrides& overrides = {},

@@ -150,6 +150,13 @@ void load_compared(Scene& scene, const Overrides& overrides, const ReloadCompare
     for (FigureSpec& figure : scene.figures)
         for (ComparedRun& run : figure.compare) try {
                 run.scene = std::make_shared<Scene>(compared_scene(figure, run, overrides, reload));
+                const Scene* first = figure.compare.front().scene.get();
+                if (first == nullptr || first->gas.box.dimension == run.scene->gas.box.dimension)
+                    continue;
+                Diagnostic error = run.place;
+                error.message = "this run has another number of dimensions than the first";
+                error.hint = "their numbers have different units: make a figure for each";
+                errors.push_back(std::move(error));
             } catch (const SceneError& error) {
                 errors.insert(errors.end(), error.diagnostics().begin(), error.diagnostics().end());
             }

@@ -106,6 +106,25 @@ TEST_CASE(
     CHECK(frames[1]["velo"] == json{{-1.0, 0.0, 0.0}});
 }
 
+TEST_CASE("a trajectory of spheres has three coordinates and the box of three lengths") {
+    const TemporaryFolder folder;
+    folder.write("scene.yaml",
+                 "title: T\nbox: {size: [20, 10, 8], walls: {back: periodic, front: periodic}}\n"
+                 "gas: [{count: 1, radius: 0.5, position: [5, 4, 3], velocity: [-1, 0.5, 2]}]\n"
+                 "run: {until: 1, sample_every: 1}\n");
+    REQUIRE(
+        run({program, "run", "scene.yaml", "--quiet", "--xyz", "a.xyz"}, folder.path()).exit_code ==
+        0);
+    for (const std::string reader : {"", "ase"}) {
+        if (!reader.empty() && !has_ase()) return;
+        const json frames = frames_of(folder, reader);
+        CHECK(frames[0]["lattice"] == json{20.0, 0.0, 0.0, 0.0, 10.0, 0.0, 0.0, 0.0, 8.0});
+        CHECK(frames[0]["pbc"] == json{false, false, true});
+        CHECK(frames[1]["pos"] == json{{4.0, 4.5, 5.0}});
+        CHECK(frames[1]["velo"] == json{{-1.0, 0.5, 2.0}});
+    }
+}
+
 TEST_CASE("a trajectory appears with the other outputs, or none of them does") {
     const TemporaryFolder folder;
     folder.write("scene.yaml", "title: T\n" + one_disk);

@@ -117,12 +117,12 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"panels_displacement", several_places},  // times against `until`
     {"panels_order_wire", several_places},
     {"panels_range", several_places},
+    {"space_compared", several_places},
     {"space_events", several_places},  // names and lengths against the box
     {"space_film", several_places},    // what is drawn against the box
     {"space_letters", several_places},
     {"space_overlaid", several_places},
     {"space_places", several_places},
-    {"space_refused", several_places},
     {"space_surfaces", several_places},  // places against the box
     {"space_walls", several_places},     // a side against the opposite one
     {"speed_alone", several_places},     // speeds against walls and counts

@@ -386,6 +386,14 @@ void compare_colors(Problems& problems, const Row& row, const Disk& disk) {
         problems.push_back("particle " + row.at("particle") + " has another colour");
 }
 
+// Disks are known in the order in which they were first drawn.
+template <class PlaceOf>
+std::vector<Row> in_order_of_drawing(std::vector<Row> rows, const std::vector<Disk>& disks,
+                                     const PlaceOf& place_of) {
+    std::ranges::sort(rows, {}, [&](const Row& row) { return &nearest(disks, place_of(row)); });
+    return rows;
+}
+
 }  // namespace
 
 Problems gas_problems(const DrawnFigure& figure, double width, double height) {
@@ -397,11 +405,15 @@ Problems gas_problems(const DrawnFigure& figure, double width, double height) {
         problems.push_back("the box has another shape");
     std::vector<Disk> disks = disks_of(figure);
     std::erase_if(disks, [&](const Disk& disk) { return disk.middle.x > ground.right; });  // key
-    const std::vector<Row> rows = rows_of(figure, "disk");
+    std::vector<Row> rows = rows_of(figure, "disk");
+    if (rows.empty()) rows = rows_of(figure, "sphere");
     if (disks.size() != rows.size() || rows.empty()) return {"not as many disks as in the table"};
+    const auto place_of = [&](const Row& row) {
+        return Spot{ground.left + scale * number(row, "x (length)"),
+                    ground.bottom - scale * number(row, "y (length)")};
+    };
     for (const Row& row : rows) {
-        const Spot place{ground.left + scale * number(row, "x (length)"),
-                         ground.bottom - scale * number(row, "y (length)")};
+        const Spot place = place_of(row);
         const Disk& disk = nearest(disks, place);
         const double off = distance(disk.middle, place);
         if (!(off <= half_a_pixel)) problems.push_back(off_by("disk " + row.at("particle"), off));
@@ -410,6 +422,12 @@ Problems gas_problems(const DrawnFigure& figure, double width, double height) {
             problems.push_back(off_by("the radius of disk " + row.at("particle"), radius));
         compare_colors(problems, row, disk);
     }
+    const std::vector<Row> spheres =
+        in_order_of_drawing(rows_of(figure, "sphere"), disks, place_of);
+    for (std::size_t k = 1; k < spheres.size(); ++k)
+        if (!(number(spheres[k - 1], "z (length)") <= number(spheres[k], "z (length)")))
+            problems.push_back("sphere " + spheres[k].at("particle") +
+                               " is drawn over one in front");
     return problems;
 }
 

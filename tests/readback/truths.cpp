@@ -155,6 +155,28 @@ TEST_CASE("disks of a gas have their places in the run, and the colours of their
     }
 }
 
+TEST_CASE("spheres have their places in the run, and those in front are drawn over those behind") {
+    const std::filesystem::path scene =
+        checkout() / "tests" / "readback" / "scenes" / "spheres.yaml";
+    DrawnFigure figure = figures_of(scene).at("gas");
+    check_none(gas_problems(figure, 12.0, 8.0));
+    const std::vector<Row> spheres = rows_of(figure, "sphere"),
+                           samples = samples_of(scene, spheres.size());
+    REQUIRE(spheres.size() == 40);
+    for (std::size_t i = 0; i < spheres.size(); ++i) {
+        CAPTURE(i);
+        for (const std::string axis : {"x", "y", "z"})  // the table has single precision
+            CHECK(std::stof(spheres[i].at(axis + " (length)")) == std::stof(samples[i].at(axis)));
+        const double speed = std::hypot(number(samples[i], "vx"), number(samples[i], "vy"),
+                                        number(samples[i], "vz"));
+        CHECK(is_near_color(paint_of(spheres[i].at("colour")), key_color(figure.picture, speed)));
+    }
+    for (Row& row : figure.table)
+        if (row.at("part") == "sphere")
+            row.at("z (length)") = std::to_string(9.0 - number(row, "z (length)"));
+    CHECK(gas_problems(figure, 12.0, 8.0).size() > 30);  // as seen from behind
+}
+
 TEST_CASE("bars of errors reach as far as the table says") {
     DrawnFigure figure = drawn("errors");
     const PlotColumns columns{"radius", "virial pressure (energy/area)"};

@@ -50,7 +50,7 @@ const std::string space =
 // True when it loads; a SceneError is the only other end.
 bool loads(const std::string& text) {
     try {
-        read_scene_text(text, "test.yaml", test::resources());
+        load_scene_text(text, "test.yaml", test::resources());
         return true;
     } catch (const SceneError& error) {
         CHECK(!error.diagnostics().empty());

@@ -113,7 +113,7 @@ void PairCorrelation::see(const Sample& sample, std::span<const Collision> colli
     if (wanted_.window != 0.0) see_pieces(sample, collisions);
     if (sides_ && sample.time > time_ && wanted_.window != 0.0) {
         BoxSides between = sides;
-        for (std::size_t axis = 0; axis < 2; ++axis)
+        for (std::size_t axis = 0; axis < sides.size(); ++axis)
             between[axis] = {0.5 * (sides[axis].first + (*sides_)[axis].first),
                              0.5 * (sides[axis].second + (*sides_)[axis].second)};
         const Eigen::ArrayXd its = expected(between);

@@ -152,6 +152,26 @@ TEST_CASE("two spheres that pass each other are in each shell as long as it take
     }
 }
 
+TEST_CASE("a side of space that moves takes the points with it") {
+    const Box box = space_of({6.0, 5.0, 8.0}, solid_walls);
+    const Particles spheres = equal_spheres(2, 0.5);
+    for (const std::size_t axis : {0U, 1U, 2U}) {
+        CAPTURE(axis);
+        PairCorrelation pairs(box, spheres, {.to = 2.0, .rings = 1}, {});
+        const Sample at_rest = space_sample(0.0, {{{1, 1, 1}}, {{2, 2, 1}}});
+        Sample later = at_rest;
+        later.time = 1.0;
+        // In between, the side is half way.
+        BoxSides start = sides_of(box), between = start, end = start;
+        between[axis].second -= 0.5;
+        end[axis].second -= 1.0;
+        pairs.see(at_rest, {}, start);
+        pairs.see(later, {}, end);
+        CHECK(pairs.values()[0] ==
+              relative(1.0 / ring_probability(box, between, {0.5, 0.5}, 0.0, 2.0), 1e-12));
+    }
+}
+
 TEST_CASE("a cubic crystal has its neighbours in their shells, whether it flies or rests") {
     const Box box = space_of({6.0, 6.0, 6.0}, periodic_walls);
     std::vector<PlaceAndVelocity> rows = crystal({1, 1, 1}, {{0.5, 0.5, 0.5}}, 6);

@@ -33,6 +33,13 @@ struct Box {
     bool is_periodic(std::integral auto axis) const {
         return walls[static_cast<std::size_t>(axis)] == Wall::periodic;
     }
+    /// Whether all of its sides are periodic, and whether none is.
+    bool is_periodic() const {
+        return on_each_axis(dimension, [&](int axis) { return is_periodic(axis); });
+    }
+    bool is_closed() const {
+        return on_each_axis(dimension, [&](int axis) { return !is_periodic(axis); });
+    }
 
     /// Its size along an axis.
     double length(std::integral auto axis) const { return size[axis]; }

@@ -150,8 +150,7 @@ SeriesSubject pressure(const PanelContext& context, const PanelSpec& spec) {
         return surface_pressure(context, spec);
     const Over over = spec.over.value_or(Over{Over::Since::start, 0.0});
     const Box& box = context.box();
-    const bool walls =
-        !on_each_axis(box.dimension, [&](int axis) { return box.is_periodic(axis); });
+    const bool walls = !box.is_periodic();
     const Gauge gauge(context, over);
     const Language language = context.language();
     SeriesSubject subject{

@@ -32,8 +32,7 @@ bool are_apart(const Box& box, const std::vector<Obstacle::Ball>& fixed, double 
 std::optional<double> mean_path_of_billiard(const Box& box, double radius, bool ends_at_walls) {
     const Surfaces& surfaces = box.surfaces;
     const int dimension = box.dimension;
-    const bool has_walls =
-        !on_each_axis(dimension, [&](int axis) { return box.is_periodic(axis); });
+    const bool has_walls = !box.is_periodic();
     if (dimension == 1 || !std::ranges::all_of(surfaces.sides, is_elastic) ||
         !surfaces.partitions.empty() || surfaces.has_gravity() || (has_walls && !ends_at_walls))
         return {};

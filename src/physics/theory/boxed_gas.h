@@ -86,12 +86,6 @@ struct BoxedGas {
     bool has_partner() const { return finite + fixed > 1.0 || influences.obstacles; }
     bool are_points() const { return (particles->radius == 0.0).all(); }  ///< all of them
     bool has_points() const { return !(particles->radius > 0.0).all(); }  ///< some of them
-    bool is_periodic() const {                                            ///< along all axes
-        return on_each_axis(box.dimension, [&](int axis) { return box.is_periodic(axis); });
-    }
-    bool is_closed() const {  ///< along all axes
-        return on_each_axis(box.dimension, [&](int axis) { return !box.is_periodic(axis); });
-    }
 };
 
 /// The first of these reasons that holds for a gas, by what acts on it and of what it consists; the

@@ -143,8 +143,7 @@ void check_followed(const CameraDraft& draft, const Node& node, Reading& reading
         (!draft.follow.front().particle && !draft.follow.front().species))
         reading.errors.add(*follow, "`follow` takes one particle or one species",
                            "for instance `follow: 0`");
-    else if (!on_each_axis(box.dimension, [&](int axis) { return !box.is_periodic(axis); }) &&
-             !only_one(draft.follow.front(), reading.gas))
+    else if (!box.is_closed() && !only_one(draft.follow.front(), reading.gas))
         reading.errors.add(*follow,
                            "in a periodic box a species has no centre of mass to be followed",
                            "give the number of one particle");

@@ -100,6 +100,24 @@ TEST_CASE("a series with a title of the scene names its lines beside them, and i
     }
 }
 
+TEST_CASE("the title of a pressure names the walls if any side is solid") {
+    const auto names_walls = [](const std::string& box) {
+        const test::SeenPanel seen(
+            test::scene_from("title: T\nbox: {" + box +
+                             "}\ngas: [{count: 5, radius: 0.5, speed: 1}]\nrun: {until: 1}\n"
+                             "film: {seconds: 1, panels: [pressure]}\n"),
+            4);
+        std::string title;
+        for (const auto& piece : seen.plot().titles.at(0).pieces) title += piece.markup;
+        return title.find("on the walls") != std::string::npos;
+    };
+    CHECK(names_walls("size: [10, 10], walls: solid"));
+    CHECK(names_walls("size: [10, 10], walls: {left: periodic, right: periodic}"));
+    CHECK_FALSE(names_walls("size: [10, 10], walls: periodic"));
+    CHECK(names_walls("size: [10, 10, 10], walls: {left: periodic, right: periodic}"));
+    CHECK_FALSE(names_walls("size: [10, 10, 10], walls: periodic"));
+}
+
 TEST_CASE("the bounds of the classes of speed are medium") {
     const std::array<double, 3> shares =
         class_shares(Eigen::ArrayXd{{0.0, 0.99, 1.0, 2.0, 3.0, 3.01, 7.0, 2.5}}, 2.0);

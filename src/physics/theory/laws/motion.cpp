@@ -64,7 +64,7 @@ double plateau_on_line(const BoxedGas& gas, const std::vector<Eigen::Index>& lis
 // anywhere between: one that is alone only goes to and fro.
 Law bounded(const BoxedGas& gas, const std::vector<Eigen::Index>& list) {
     const bool is_line = gas.box.dimension == 1;
-    if (!is_line && !gas.is_closed()) return none(Why::bounded_once);
+    if (!is_line && !gas.box.is_closed()) return none(Why::bounded_once);
     Law law = none(is_line ? Why::keeps_order : Why::bounded);
     const auto uneven = first_of(
         gas, {Why::moving_infinite_mass, Why::driven, Why::baths_differ, Why::piston, Why::membrane,
@@ -114,7 +114,7 @@ Law displacement(const BoxedGas& gas, const Asked& asked) {
     if (list.empty()) return none(Why::no_finite_mass);
     if (const auto reason = first_of(gas, {Why::moving_infinite_mass})) return none(*reason);
     if (!moves(gas)) return none(Why::at_rest);
-    if (!gas.is_periodic()) return bounded(gas, list);
+    if (!gas.box.is_periodic()) return bounded(gas, list);
     if (const auto reason = first_of(gas, {Why::gravity, Why::partitions})) return none(*reason);
     if (!gas.has_partner()) return none(Why::unhindered);
     if (gas.drifts) return none(Why::drifts);
@@ -150,7 +150,7 @@ Law autocorrelation(const BoxedGas& gas, const Asked& asked) {
 
 Law free_flight(const BoxedGas& gas, const Asked& asked) {
     const Influences& all = gas.influences;
-    const bool has_walls = !gas.is_periodic();
+    const bool has_walls = !gas.box.is_periodic();
     if (gas.box.dimension == 1) return none(Why::line);
     if (gas.finite != 1.0 || gas.fixed > 0.0) return none(Why::many);
     if (all.velocities || all.wall_event || all.heat_event) return none(Why::event);

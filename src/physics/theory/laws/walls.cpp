@@ -70,7 +70,7 @@ Law gap_flux(const BoxedGas& gas, const Asked& asked) {
             first_of(gas, {Why::no_finite_mass, Why::fixed_particles, Why::driven, Why::bath,
                            Why::piston, Why::membrane, Why::gravity, Why::obstacles}))
         return none(*reason);
-    if (!gas.is_closed()) return none(Why::no_walls);
+    if (!gas.box.is_closed()) return none(Why::no_walls);
     if (partition == nullptr || gas.box.surfaces.partitions.size() > 1)
         return none(Why::partitions);
     double gaps = 0.0;

@@ -19,10 +19,6 @@ namespace {
 constexpr double sum_rounding = 1e-12;  // of sums of given numbers, relative to the sum of all
 constexpr double parallel = 1e-14;      // the relative determinant of momenta that are parallel
 
-Vec cross_product(const Vec& a, const Vec& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 // The angles of the sides of a triangle that is passed along in this order.
 std::array<double, 3> sides_of_triangle(double a, double b, double c) {
     // between side a and the reverse of b, and between c and the reverse of a (law of cosines)
@@ -152,9 +148,8 @@ class SpaceDirections {
             for (int b = 0; b < 3; ++b)
                 if (!is_chosen(a) || !is_chosen(b))
                     rows[static_cast<std::size_t>(a)][b] = a == b ? 1.0 : 0.0;
-        const std::array<Vec, 3> adjugate{cross_product(rows[1], rows[2]),
-                                          cross_product(rows[2], rows[0]),
-                                          cross_product(rows[0], rows[1])};
+        const std::array<Vec, 3> adjugate{cross(rows[1], rows[2]), cross(rows[2], rows[0]),
+                                          cross(rows[0], rows[1])};
         const double determinant = dot(rows[0], adjugate[0]);
         if (!(determinant > parallel * rows[0][0] * rows[1][1] * rows[2][2])) return {};
         const Vec m = along_axes(
@@ -181,9 +176,9 @@ class SpaceDirections {
     }
     // In a plane that is turned at random.
     void draw_triangle(Random& random) {
-        const Vec normal = random_direction(random);
-        const Vec first = perpendicular_to(normal), second = cross_product(normal, first);
-        const Eigen::ArrayXd angles = closed_triangle(momenta_, random_angle(random), false);
+        const Vec first = random_direction(random), other = random_direction(random);
+        const Vec normal = cross(first, other), second = cross(normal, first) / length(normal);
+        const Eigen::ArrayXd angles = closed_triangle(momenta_, 0.0, false);
         for (std::size_t i = 0; i < units.size(); ++i) {
             const double angle = angles[static_cast<Eigen::Index>(i)];
             units[i] = std::cos(angle) * first + std::sin(angle) * second;
@@ -203,15 +198,6 @@ class SpaceDirections {
     bool is_chosen(int axis) const { return axes_[static_cast<std::size_t>(axis)]; }
     Vec along_axes(const Vec& a) const {
         return {axes_[0] ? a[0] : 0.0, axes_[1] ? a[1] : 0.0, axes_[2] ? a[2] : 0.0};
-    }
-    // A unit vector across another.
-    static Vec perpendicular_to(const Vec& unit) {
-        const Vec sizes = abs(unit);
-        const Vec axis = sizes[0] <= sizes[1] && sizes[0] <= sizes[2] ? Vec(1.0, 0.0, 0.0)
-                         : sizes[1] <= sizes[2]                       ? Vec(0.0, 1.0, 0.0)
-                                                                      : Vec(0.0, 0.0, 1.0);
-        const Vec product = cross_product(unit, axis);
-        return product / length(product);
     }
 
     const Eigen::ArrayXd& momenta_;

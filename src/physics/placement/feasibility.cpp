@@ -95,11 +95,12 @@ class PlacementCheck {
             const double volume = content_of(sides, 3);
             const double one = content_of_ball(radius, 3);
             const double covered = static_cast<double>(count) * one / volume;
+            const double fitting = roomy_packing(3) * volume / one;
             if (covered > beyond_all && shortest(sides, 3) >= least_diameters * 2.0 * radius)
                 found_.push_back({.kind = Kind::saturated,
                                   .species = s,
                                   .count = count,
-                                  .fitting = static_cast<std::int64_t>(0.3 * volume / one),
+                                  .fitting = static_cast<std::int64_t>(fitting),
                                   .value = covered});
         };
         const auto are_equal = [](const auto& radii) { return (radii == radii[0]).all(); };

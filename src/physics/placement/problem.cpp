@@ -99,9 +99,9 @@ ProblemText too_dense(const Problem& p, const Gas& gas) {
                             length, size[0]),
                 fmt::format("fewer or shorter beads, or a wire of about {:.3g}", 2.0 * length)};
     }
-    // In a box of the size that the hint gives, particles find random places quickly.
     const bool in_plane = gas.box.dimension == 2;
-    const double scale = in_plane ? std::sqrt(p.value / 0.5) : std::cbrt(p.value / 0.3);
+    const double excess = p.value / roomy_packing(gas.box.dimension);
+    const double scale = in_plane ? std::sqrt(excess) : std::cbrt(excess);
     const std::string_view particle = nouns(gas).particle;
     const std::string larger =
         in_plane ? fmt::format("{:.3g} by {:.3g}", size[0] * scale, size[1] * scale)
@@ -122,7 +122,8 @@ ProblemText saturated(const Problem& p, const Gas& gas, std::string_view region)
                         "placement ends at {:.3f}",
                         p.count, within ? fmt::format(" in {}", region) : "", p.value,
                         saturated_packing),
-            fmt::format("fewer spheres ({} have packing fraction 0.3), smaller ones, {}", p.fitting,
+            fmt::format("fewer spheres ({} have packing fraction {}), smaller ones, {}", p.fitting,
+                        roomy_packing(gas.box.dimension),
                         within ? "or more room" : "a larger box, or places on a lattice")};
 }
 

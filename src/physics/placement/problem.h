@@ -82,4 +82,8 @@ double densest_packing(int dimension);
 /// Torquato, Phys. Rev. E 88, 053312, 2013: 0.3841307(21)).
 inline constexpr double saturated_packing = 0.3841;
 
+/// A packing at which particles find random places quickly, in the plane or in space: that of the
+/// boxes and numbers which hints name.
+constexpr double roomy_packing(int dimension) { return dimension == 2 ? 0.5 : 0.3; }
+
 }  // namespace carom

@@ -20,10 +20,9 @@ struct FallingKind {
 /// The probability density of a particle's height is proportional to the phase-space volume left to
 /// all other particles, which is evaluated at the saddle point of its Laplace transform. In a
 /// column without a lid this is exact for any number of particles,
-/// (1 - m g h / E)^(f / 2 + N - 2) with f degrees of freedom of the
-/// kinetic energy, d N less one for each conserved momentum (Velasco, Roman and White 1996). Under
-/// a lid the error is of second order in 1/N. For many particles the density becomes exp(-m g h /
-/// T).
+/// (1 - m g h / E)^(f / 2 + N - 2) with f degrees of freedom of the kinetic energy, d N less one
+/// for each conserved momentum (Velasco, Roman and White 1996). Under a lid the error is of second
+/// order in 1/N. For many particles the density becomes exp(-m g h / T).
 class BarometricLaw {
   public:
     /// `freedoms`: the degrees of freedom of the kinetic energy, d N less one for each conserved

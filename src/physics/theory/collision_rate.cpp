@@ -171,8 +171,7 @@ double packing_fraction(const Box& box, const Particles& particles) {
 }
 
 double cross_section(double contact, int dimension) {
-    if (dimension == 1) return 1.0;
-    return dimension == 2 ? 2.0 * contact : pi * contact * contact;
+    return dimension == 1 ? 1.0 : content_of_ball(contact, dimension - 1);
 }
 
 double cross_sections(const Eigen::ArrayXd& radii, int dimension) {

@@ -40,8 +40,8 @@ double contact_correlation(const Box& box, const Particles& particles, double ra
 
 /// The mean free path of equal particles in a dilute gas, a length: A / (2 sqrt(2) N d) in a plane
 /// with the area A, V / (sqrt(2) pi N d^2) in space with the volume V. `content` is A or V, and
-/// `cross_sections` the sum of 2 d or of pi d^2 over all particles. For unequal
-/// particles an estimate.
+/// `cross_sections` the sum of 2 d or of pi d^2 over all particles. For unequal particles an
+/// estimate.
 double dilute_free_path(double content, double cross_sections);
 
 /// The sum of 2 d or of pi d^2 over particles of these radii.

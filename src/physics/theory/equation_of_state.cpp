@@ -56,9 +56,9 @@ struct Fluid {
     EquationOfState equation;
     double density;
 
-    double packing_fraction() const { return (dimension == 2 ? 0.25 * pi : pi / 6.0) * density; }
+    double packing_fraction() const { return content_of_ball(0.5, dimension) * density; }
     static double largest_density(int dimension) {
-        return largest_packing_of_fluid(dimension) * (dimension == 2 ? 4.0 : 6.0) / pi;
+        return largest_packing_of_fluid(dimension) / content_of_ball(0.5, dimension);
     }
     double pressure() const {
         return density * compressibility_factor(dimension, equation, packing_fraction());
@@ -151,9 +151,7 @@ std::optional<Filled> filled(EquationOfState equation, const Box& box, const Par
 
 // P / T of spheres of several radii in a periodic box; nothing if they may freeze.
 std::optional<double> pressure_of_mixture(const Box& box, const Particles& particles) {
-    const bool is_periodic =
-        on_each_axis(box.dimension, [&](int axis) { return box.is_periodic(axis); });
-    if (box.dimension != 3 || !is_periodic || !(particles.inverse_mass > 0.0).all() ||
+    if (box.dimension != 3 || !box.is_periodic() || !(particles.inverse_mass > 0.0).all() ||
         !(particles.radius > 0.0).all())
         return std::nullopt;
     // The sums of d^k over all spheres, times pi / (6 V).

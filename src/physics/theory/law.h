@@ -51,14 +51,15 @@ enum class LawOf {
     side_temperature,  ///< temperature there, with Law::deviation
     piston,            ///< place of a free side over an ideal gas (piston_law.h)
     isotherm,          ///< pressure on a side at Asked::lengths, at the temperature of the start:
-                       ///< Law::curve, in proportion to the temperature; for disks and spheres by
-    ///< equations of state. Law::temperatures: those at which baths keep the gas in turn
-    adiabat,       ///< the same after slow work without heat, with Law::temperatures
-    binomial,      ///< places of points that a Galton board sends left or right at each row
-                   ///< anew: Law::places and their shares, Law::curve; an idealisation
-    heights,       ///< density of an ideal gas along Asked::axis under gravity: Law::curve
-    error_growth,  ///< bits that small differences gain per collision; a fit (error_growth.h)
-    diffusion,     ///< diffusion coefficient of equal spheres; a fit (collision_rate.h)
+                       ///< Law::curve, in proportion to the temperature; of disks and spheres
+                       ///< by equations of state. Law::temperatures: those at which baths keep
+                       ///< the gas in turn
+    adiabat,           ///< the same after slow work without heat, with Law::temperatures
+    binomial,          ///< places of points that a Galton board sends left or right at each row
+                       ///< anew: Law::places and their shares, Law::curve; an idealisation
+    heights,           ///< density of an ideal gas along Asked::axis under gravity: Law::curve
+    error_growth,      ///< bits that small differences gain per collision; a fit (error_growth.h)
+    diffusion,         ///< diffusion coefficient of equal spheres; a fit (collision_rate.h)
 };
 inline constexpr std::size_t laws_count = static_cast<std::size_t>(LawOf::diffusion) + 1;
 

@@ -270,9 +270,9 @@ TEST_CASE("spheres diffuse as in runs of a slow simulator") {
         CAPTURE(count);
         ++rows;
         const double side = std::cbrt(count / density);
-        // Three standard errors, and the 3 % that law and fit claim.
+        // The 5 % that the function states, and the standard error of the run.
         CHECK(diffusion_of_spheres(density, 1.0, 1.0, 1.0, side) ==
-              relative(std::stod(row[2]), 0.03 + 3.0 * std::stod(row[3])));
+              relative(std::stod(row[2]), 0.05 + std::stod(row[3])));
     }
     CHECK(rows == 5);
     // Dilute: Chapman and Enskog's 3/8 sqrt(T / (pi m)) / (n d^2) times 1.019, in other units.

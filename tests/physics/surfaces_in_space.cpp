@@ -15,17 +15,12 @@
 #include "physics/particles.h"
 #include "support/blocks.h"
 #include "support/goodness_of_fit.h"
+#include "support/space.h"
 #include "util/random.h"
 
 using namespace carom;
 
 namespace {
-
-Box solid_box(const Vec& size) {
-    Box box{3, size, {Wall::solid, Wall::solid, Wall::solid}};
-    box.surfaces.side_count = 6;
-    return box;
-}
 
 // Particles of one kind, at random places clear of the walls, with velocities of the temperature 1.
 struct Gas {
@@ -62,7 +57,7 @@ double uniform(double share) { return share; }
 
 // A box with a window and a block of which each part is hit.
 Box box_with_window(const Behaviour& behaviour) {
-    Box box = solid_box({7.0, 6.0, 5.0});
+    Box box = test::space_of({7.0, 6.0, 5.0});
     for (std::size_t side = 0; side < 6; ++side) box.surfaces.sides[side] = behaviour;
     box.surfaces.partitions = {{.name = "window",
                                 .axis = 1,
@@ -113,7 +108,7 @@ TEST_CASE("a sphere leaves faces, edges and corners of a bath with the flux of i
 }
 
 TEST_CASE("a bath draws the velocity along the normal first, then those along the other axes") {
-    Box box = solid_box({4.0, 4.0, 4.0});
+    Box box = test::space_of({4.0, 4.0, 4.0});
     box.surfaces.seed = 21;
     for (std::size_t side = 0; side < 6; ++side) box.surfaces.sides[side] = Bath{2.0};
     for (const std::int32_t side : {0, 1, 2, 3, 4, 5}) {
@@ -194,7 +189,7 @@ TEST_CASE("in many bits a diffuse wall in space keeps the speed in all of them")
 // The mean chord of a convex body is 4 V / S (Cauchy), and the cosine law keeps the even spread.
 TEST_CASE("between diffuse walls a sphere flies 4 V / S on average") {
     constexpr double radius = 0.5;
-    Box box = solid_box({5.0, 4.0, 3.0});
+    Box box = test::space_of({5.0, 4.0, 3.0});
     for (std::size_t side = 0; side < 6; ++side) box.surfaces.sides[side] = Diffuse{};
     Gas gas(box, 1, radius, 1.0);
     const double speed = length(vec_in(gas.start.velocity, 0));
@@ -223,7 +218,7 @@ TEST_CASE("a slow stroke keeps T V^(2/3)") {
     constexpr double u = 0.002, until = 2500.0;
     constexpr int count = 200;
     for (const double direction : {-1.0, 1.0}) {
-        Box box = solid_box({10.0, 3.0, 3.0});
+        Box box = test::space_of({10.0, 3.0, 3.0});
         box.surfaces.sides[0] = Diffuse{};
         box.surfaces.sides[1] = Driven{direction * u};
         const Gas gas(box, count, 0.0, 1.0);
@@ -248,7 +243,7 @@ TEST_CASE("a slow stroke keeps T V^(2/3)") {
 TEST_CASE("a piston over points in space has the mean height E (N + 1) / (F (5 N / 2 + 3 / 2))") {
     constexpr int count = 3;
     constexpr double force = 1.0, mass = 2.0;
-    Box box = solid_box({2.0, 2.0, 100.0});
+    Box box = test::space_of({2.0, 2.0, 100.0});
     box.surfaces.sides[4] = Diffuse{};  // mixes the energies along the axes
     box.surfaces.sides[5] = Piston{.mass = mass, .force = -force, .velocity = 0.0};
     Gas gas(box, count, 0.0, 1.0);
@@ -282,7 +277,7 @@ TEST_CASE("through a gap in space effuse n a sqrt(T / 2 pi m), of energy 2 T, by
     constexpr double temperature = 1.0, mass = 2.0, width = 1.0, height = 1.5;
     constexpr int count = 40;
     const Vec size{6.0, 5.0, 4.0};
-    Box box = solid_box({size[0] + 1.0, size[1], size[2]});
+    Box box = test::space_of({size[0] + 1.0, size[1], size[2]});
     box.surfaces.sides[0] = Bath{temperature};
     // What comes through is counted by a bath just behind, which sends back what is alike.
     box.surfaces.partitions = {
@@ -291,7 +286,7 @@ TEST_CASE("through a gap in space effuse n a sqrt(T / 2 pi m), of energy 2 T, by
          .at = size[0],
          .gaps = {{{2.0, 1.0}, {2.0 + width, 1.0 + height}}}},
         {.name = "counter", .axis = 0, .at = size[0] + 1e-6, .behaviour = Bath{temperature}}};
-    Gas gas(solid_box(size), count, 0.0, mass);
+    Gas gas(test::space_of(size), count, 0.0, mass);
     Loop loop(box, gas.particles, {});
     loop.start(gas.start);
     std::vector<double> rates, energies, squares;

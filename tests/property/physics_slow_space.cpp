@@ -15,11 +15,11 @@
 #include "support/bodies.h"
 #include "support/scattered.h"
 #include "support/slow_surfaces.h"
+#include "support/space.h"
 #include "support/surface_scenes.h"
 #include "util/random.h"
 
 using namespace carom;
-using test::SlowContact;
 using test::SlowSurfaces;
 using test::SlowVector;
 using test::Sphere;
@@ -309,14 +309,11 @@ int compare(SlowSurfaces first, const std::vector<RunEvent>& events, SlowSurface
     return compared;
 }
 
-bool is_drawn(const Behaviour& behaviour) { return is_random(behaviour); }
-
 // Whether nothing in the scene is random.
 bool is_determined(const test::SurfaceScene& scene) {
     const Surfaces& its = scene.gas.box.surfaces;
-    return std::ranges::none_of(its.sides, is_drawn) &&
-           std::ranges::none_of(its.partitions,
-                                [](const Partition& one) { return is_random(one.behaviour); }) &&
+    return std::ranges::none_of(its.sides, is_random) &&
+           std::ranges::none_of(its.partitions, is_random, &Partition::behaviour) &&
            std::ranges::none_of(scene.events, [](const RunEvent& event) {
                const auto given = given_behaviour(event);
                return given && is_random(given->second);
@@ -433,12 +430,9 @@ TEST_CASE("spheres in one plane meet the same surfaces as disks") {
         }
         const auto& [particles, start] = *placed;
         if ((particles.radius == 0.0).any()) continue;  // the slack loses the side of a point
-        Sample in_space{0.0, Eigen::ArrayXXd::Constant(particles.count(), 3, 0.5 * depth),
-                        Eigen::ArrayXXd::Zero(particles.count(), 3)};
-        in_space.position.leftCols(2) = start.position;
-        in_space.velocity.leftCols(2) = start.velocity;
-        compared += compare(SlowSurfaces(box, particles, start), scene.events,
-                            SlowSurfaces(other, particles, in_space), {.sides = 4});
+        compared +=
+            compare(SlowSurfaces(box, particles, start), scene.events,
+                    SlowSurfaces(other, particles, test::in_space(start, depth)), {.sides = 4});
         ++scenes;
     }
     CHECK(scenes > 100);

@@ -16,6 +16,7 @@
 #include "support/slow_simulator.h"
 #include "support/slow_surfaces.h"
 #include "support/small_scenes.h"
+#include "support/space.h"
 #include "util/random.h"
 
 using namespace carom;
@@ -178,11 +179,8 @@ TEST_CASE("spheres in one plane do what disks do, to the last bit") {
         const Wall back_and_front = seed % 2 == 0 ? Wall::solid : Wall::periodic;
         const Box box = test::space_of({gas.box.size[0], gas.box.size[1], depth},
                                        {gas.box.walls[0], gas.box.walls[1], back_and_front});
-        Sample in_space{0.0, Eigen::ArrayXXd::Constant(particles.count(), 3, 0.5 * depth),
-                        Eigen::ArrayXXd::Zero(particles.count(), 3)};
-        in_space.position.leftCols(2) = start.position;
-        in_space.velocity.leftCols(2) = start.velocity;
-        SlowSimulator disks(gas.box, particles, start), spheres(box, particles, in_space);
+        SlowSimulator disks(gas.box, particles, start),
+            spheres(box, particles, test::in_space(start, depth));
         for (int k = 0; k < 40; ++k) {
             const auto expected = disks.next(ever), found = spheres.next(ever);
             REQUIRE(expected.has_value() == found.has_value());

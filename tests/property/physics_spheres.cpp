@@ -13,9 +13,9 @@
 #include "physics/placement/placement.h"
 #include "support/relative.h"
 #include "support/same_instants.h"
-#include "support/scattered.h"
 #include "support/slow_simulator.h"
 #include "support/small_scenes.h"
+#include "support/space.h"
 #include "support/sphere_trajectories.h"
 #include "support/tied_scenes.h"
 
@@ -81,14 +81,10 @@ TEST_CASE("spheres in one plane of space do what disks do") {
         const Box box = test::space_of(
             {gas.box.size[0], gas.box.size[1], depth},
             {gas.box.walls[0], gas.box.walls[1], seed % 2 == 0 ? Wall::solid : Wall::periodic});
-        Sample in_space{0.0, Eigen::ArrayXXd::Constant(particles.count(), 3, 0.5 * depth),
-                        Eigen::ArrayXXd::Zero(particles.count(), 3)};
-        in_space.position.leftCols(2) = start.position;
-        in_space.velocity.leftCols(2) = start.velocity;
         EventLoop<2> disks(gas.box, particles);
         EventLoop<3> spheres(box, particles);
         disks.start(start);
-        spheres.start(in_space);
+        spheres.start(test::in_space(start, depth));
         double off = 1e-15;
         while (off < 1e-9 && compared < 100 * static_cast<int>(seed)) {
             Collision expected{}, found{};

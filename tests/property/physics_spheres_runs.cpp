@@ -14,9 +14,9 @@
 #include "support/hard_particles.h"
 #include "support/relative.h"
 #include "support/same_events.h"
-#include "support/scattered.h"
 #include "support/slow_simulator.h"
 #include "support/small_scenes.h"
+#include "support/space.h"
 
 using namespace carom;
 using test::relative;

@@ -12,7 +12,7 @@
 #include "physics/simulation.h"
 #include "support/goodness_of_fit.h"
 #include "support/same_surface_events.h"
-#include "support/scattered.h"
+#include "support/space.h"
 #include "support/surface_scenes.h"
 #include "util/random.h"
 

@@ -33,7 +33,7 @@ inline std::pair<Particles, Sample> start_of(int dimension, const std::vector<Di
 }
 
 struct Sphere {
-    Vec place, velocity;
+    Vec place, velocity = {};
     double radius = 0.5, inverse_mass = 1.0;
 };
 

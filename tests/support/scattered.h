@@ -11,12 +11,6 @@
 
 namespace carom::test {
 
-inline Box space_of(const Vec& size, const Walls& walls = {}) {
-    Box box{3, size, walls};
-    box.surfaces.side_count = 6;
-    return box;
-}
-
 /// So many spheres that do not overlap, of random radii, masses and velocities. Does not look at
 /// partitions and obstacles.
 inline std::vector<Sphere> scattered(const Box& box, Random& random, int count, double smallest,

@@ -10,7 +10,7 @@
 
 #include "support/bodies.h"
 #include "support/csv.h"
-#include "support/scattered.h"
+#include "support/space.h"
 
 namespace carom::test {
 

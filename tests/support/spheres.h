@@ -1,12 +1,12 @@
-// Spheres in space, and integrals over their places, for tests of theory.
+// Spheres in space, and integrals over their places, for tests of theory and of statistics.
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <numbers>
 #include <vector>
 
-#include "physics/box.h"
 #include "physics/particles.h"
 #include "physics/theory/equation_of_state.h"
 
@@ -19,18 +19,15 @@ inline double z_of_spheres(EquationOfState equation, double packing) {
     return compressibility_factor(3, equation, packing);
 }
 
-/// A cube in space.
-inline Box cube_of(double side, Wall wall) {
-    Box box{3, {side, side, side}, {wall, wall, wall}};
-    box.surfaces.side_count = 6;
-    return box;
-}
-
 /// Particles of these radii and of mass 1.
 inline Particles spheres_of(const std::vector<double>& radii) {
     const auto n = static_cast<Eigen::Index>(radii.size());
     return {Eigen::Map<const Eigen::ArrayXd>(radii.data(), n), Eigen::ArrayXd::Ones(n),
             Eigen::ArrayXi::Zero(n)};
+}
+
+inline Particles equal_spheres(std::size_t count, double radius) {
+    return spheres_of(std::vector<double>(count, radius));
 }
 
 /// The integral of a function, by the middle of each step.

@@ -15,6 +15,7 @@
 #include "physics/surfaces/barrier_contact.h"
 #include "physics/surfaces/sheet.h"
 #include "support/relative.h"
+#include "support/space.h"
 #include "util/random.h"
 
 using namespace carom;
@@ -22,11 +23,7 @@ using test::relative;
 
 namespace {
 
-Box box_with(const std::array<Wall, 3>& walls) {
-    Box box{3, {8.0, 7.0, 6.0}, walls};
-    box.surfaces.side_count = 6;
-    return box;
-}
+Box box_with(const std::array<Wall, 3>& walls) { return test::space_of({8.0, 7.0, 6.0}, walls); }
 
 // The distance of a number from an interval.
 double outside(double x, double low, double high) { return std::max({low - x, x - high, 0.0}); }

@@ -13,6 +13,7 @@
 #include "physics/placement/placement.h"
 #include "physics/simulation_checks.h"
 #include "support/relative.h"
+#include "support/space.h"
 
 using namespace carom;
 using test::relative;
@@ -21,8 +22,7 @@ namespace {
 
 Gas checked_gas(const Vec& size, std::vector<Species> species, const Walls& walls = {}) {
     Gas gas;
-    gas.box = {.dimension = 3, .size = size, .walls = walls};
-    gas.box.surfaces.side_count = 6;
+    gas.box = test::space_of(size, walls);
     gas.species = std::move(species);
     return gas;
 }

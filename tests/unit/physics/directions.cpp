@@ -246,12 +246,8 @@ TEST_CASE("three equal momenta in space make angles of 120 degrees in a plane th
         const auto v = [&](int i) { return vec_in(start.velocity, i); };
         for (int i = 0; i < 3; ++i)
             CHECK(dot(v(i), v((i + 1) % 3)) == doctest::Approx(-2.0).epsilon(1e-14));
-        const Vec a = v(0), b = v(1);
-        const double area = 2.0 * std::sqrt(3.0);
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
-            normals[axis].push_back((a[next] * b[last] - a[last] * b[next]) / area);
-        }
+        const Vec normal = cross(v(0), v(1)) / (2.0 * std::sqrt(3.0));
+        for (std::size_t axis = 0; axis < 3; ++axis) normals[axis].push_back(normal[axis]);
     }
     for (const std::vector<double>& along : normals)
         CHECK(test::chance(along, [](double x) { return 0.5 * (x + 1.0); }) > 1e-6);

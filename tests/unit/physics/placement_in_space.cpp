@@ -20,6 +20,7 @@
 #include "support/goodness_of_fit.h"
 #include "support/placement_error.h"
 #include "support/relative.h"
+#include "support/space.h"
 #include "util/random.h"
 
 using namespace carom;
@@ -34,8 +35,7 @@ constexpr double pi = std::numbers::pi;
 
 Gas space_of(const Vec& size, std::vector<Species> species, const Walls& walls = all_solid) {
     Gas gas;
-    gas.box = {.dimension = 3, .size = size, .walls = walls};
-    gas.box.surfaces.side_count = 6;
+    gas.box = test::space_of(size, walls);
     gas.species = std::move(species);
     return gas;
 }
@@ -414,8 +414,7 @@ TEST_CASE("a row of spheres without room is a jam, along each axis of space") {
         CAPTURE(axis);
         Vec size(10.0, 10.0, 10.0);
         size[axis] = 4.0;
-        Box box{.dimension = 3, .size = size, .walls = all_solid};
-        box.surfaces.side_count = 6;
+        const Box box = test::space_of(size);
         const auto jam_of = [&](double shift, double along, double other) {
             const Particles particles{Eigen::ArrayXd::Ones(3), Eigen::ArrayXd::Ones(3),
                                       Eigen::ArrayXi::Zero(3)};

@@ -13,6 +13,7 @@
 #include "support/csv.h"
 #include "support/gas_states.h"
 #include "support/relative.h"
+#include "support/space.h"
 
 using namespace carom;
 using std::numbers::pi;
@@ -90,7 +91,7 @@ TEST_CASE("mixtures of spheres have the pressure of their contact values") {
     const Box closed = cube_of(box.size[0], Wall::solid);
     CHECK_FALSE(pressure_of_fluid(EquationOfState::accurate, closed, particles, motion));
     // Of equal spheres Carnahan and Starling's, (Z - 1) / (4 packing).
-    const Particles equal = spheres_of(std::vector<double>(100, 0.3));
+    const Particles equal = test::equal_spheres(100, 0.3);
     const double eta = packing_fraction(box, equal);
     CHECK(contact_correlation(box, equal, 0.3, 0.3) ==
           relative((z_of_spheres(EquationOfState::simple, eta) - 1.0) / (4.0 * eta), 1e-12));
@@ -127,9 +128,8 @@ TEST_CASE("dilute spheres push their walls as their configuration integral says"
         return 0.5 * count * (count - 1.0) * std::log1p(-places.volume(d) / places.all());
     };
     const double excess = (second_order(height + 1e-3) - second_order(height - 1e-3)) / 2e-3;
-    Box box{3, {wide, wide, height}};
-    box.surfaces.side_count = 6;
-    const Particles particles = spheres_of(std::vector<double>(count, 0.5 * d));
+    const Box box = test::space_of({wide, wide, height});
+    const Particles particles = test::equal_spheres(count, 0.5 * d);
     const auto force = force_of_fluid(EquationOfState::accurate, box, particles, 2);
     REQUIRE(force);
     const double ideal = count / (height - d);

@@ -18,6 +18,7 @@
 #include "support/csv.h"
 #include "support/gas_states.h"
 #include "support/relative.h"
+#include "support/space.h"
 #include "support/spheres.h"
 #include "util/random.h"
 

@@ -1,4 +1,6 @@
 // Statistics of spheres in space: by hand, by sums over points, and against published numbers.
+#include "support/space.h"
+
 #include <doctest/doctest.h>
 
 #include <array>
@@ -21,46 +23,32 @@
 #include "stats/paths/time_averages.h"
 #include "stats/pressure.h"
 #include "stats/run_statistics.h"
+#include "support/bodies.h"
 #include "support/relative.h"
+#include "support/spheres.h"
 #include "util/random.h"
 
 using namespace carom;
 using std::numbers::pi;
+using test::equal_spheres;
 using test::relative;
+using test::space_of;
+using test::Sphere;
 
 namespace {
-
-Box space_of(const Vec& size, const Walls& walls) {
-    Box box{3, size, walls};
-    box.surfaces.side_count = 6;
-    return box;
-}
 
 constexpr Walls solid_walls{Wall::solid, Wall::solid, Wall::solid};
 constexpr Walls periodic_walls{Wall::periodic, Wall::periodic, Wall::periodic};
 
-Particles equal_spheres(std::size_t count, double radius) {
-    const auto n = static_cast<Eigen::Index>(count);
-    return {Eigen::ArrayXd::Constant(n, radius), Eigen::ArrayXd::Ones(n), Eigen::ArrayXi::Zero(n)};
-}
-
-struct PlaceAndVelocity {
-    Vec place, velocity = {};
-};
-
-Sample space_sample(double time, const std::vector<PlaceAndVelocity>& rows) {
-    const auto n = static_cast<Eigen::Index>(rows.size());
-    Sample sample{time, Eigen::ArrayXXd(n, 3), Eigen::ArrayXXd(n, 3)};
-    for (Eigen::Index i = 0; i < n; ++i) {
-        put(rows[static_cast<std::size_t>(i)].place, sample.position, i);
-        put(rows[static_cast<std::size_t>(i)].velocity, sample.velocity, i);
-    }
+Sample space_sample(double time, const std::vector<Sphere>& spheres) {
+    Sample sample = test::start_of(spheres).second;
+    sample.time = time;
     return sample;
 }
 
 // The places of a crystal: cells of these sides, each with these places in units of its sides.
-std::vector<PlaceAndVelocity> crystal(const Vec& side, const std::vector<Vec>& basis, int cells) {
-    std::vector<PlaceAndVelocity> all;
+std::vector<Sphere> crystal(const Vec& side, const std::vector<Vec>& basis, int cells) {
+    std::vector<Sphere> all;
     for (int x = 0; x < cells; ++x)
         for (int y = 0; y < cells; ++y)
             for (int z = 0; z < cells; ++z)
@@ -73,19 +61,11 @@ std::vector<PlaceAndVelocity> crystal(const Vec& side, const std::vector<Vec>& b
 }  // namespace
 
 TEST_CASE("shells in a solid box are known in closed form, in a periodic one whole") {
-    // The integral of (a - |x|)(b - |y|)(c - |z|) over a ball, for places of centres a x b x c.
-    const auto solid = [](double a, double b, double c, double low, double high) {
-        const auto whole = [&](double r) {
-            return 4.0 / 3.0 * pi * a * b * c * std::pow(r, 3) -
-                   0.5 * pi * (a * b + b * c + c * a) * std::pow(r, 4) +
-                   8.0 / 15.0 * (a + b + c) * std::pow(r, 5) - std::pow(r, 6) / 6.0;
-        };
-        return (whole(high) - whole(low)) / std::pow(a * b * c, 2);
-    };
+    const test::NearPlaces places{6.0, 4.0, 5.0};  // of centres, between walls
     const Box box = space_of({7.0, 5.0, 6.0}, solid_walls);
     for (const auto& [low, high] : {std::pair{0.0, 0.2}, {1.0, 1.1}, {3.3, 3.9}})
         CHECK(ring_probability(box, sides_of(box), {0.5, 0.5}, low, high) ==
-              relative(solid(6.0, 4.0, 5.0, low, high), 1e-9));
+              relative((places.volume(high) - places.volume(low)) / places.all(), 1e-9));
     const Box whole = space_of({7.0, 5.0, 6.0}, periodic_walls);
     CHECK(ring_probability(whole, sides_of(whole), {0.5, 0.5}, 1.0, 2.0) ==
           relative(4.0 / 3.0 * pi * 7.0 / 210.0, 1e-12));
@@ -174,14 +154,14 @@ TEST_CASE("a side of space that moves takes the points with it") {
 
 TEST_CASE("a cubic crystal has its neighbours in their shells, whether it flies or rests") {
     const Box box = space_of({6.0, 6.0, 6.0}, periodic_walls);
-    std::vector<PlaceAndVelocity> rows = crystal({1, 1, 1}, {{0.5, 0.5, 0.5}}, 6);
-    for (PlaceAndVelocity& row : rows) row.velocity = {0.3, 0.1, -0.2};
+    std::vector<Sphere> rows = crystal({1, 1, 1}, {{0.5, 0.5, 0.5}}, 6);
+    for (Sphere& row : rows) row.velocity = {0.3, 0.1, -0.2};
     for (const std::optional<double> window : {std::optional<double>{}, std::optional(0.0)}) {
         PairCorrelation pairs(box, equal_spheres(rows.size(), 0.2),
                               {.to = 2.2, .rings = 11, .window = window}, {});
         pairs.see(space_sample(0.0, rows), {}, sides_of(box));
-        std::vector<PlaceAndVelocity> later = rows;
-        for (PlaceAndVelocity& row : later)
+        std::vector<Sphere> later = rows;
+        for (Sphere& row : later)
             for (const int axis : {0, 1, 2})
                 row.place[axis] = box.wrapped(axis, row.place[axis] + row.velocity[axis]);
         pairs.see(space_sample(1.0, later), {}, sides_of(box));
@@ -251,7 +231,7 @@ TEST_CASE("crystals have the q6 of Steinhardt, turned or not, and a gas has none
     for (const Crystal& one : crystals) {
         CAPTURE(one.q6);
         constexpr int cells = 5;
-        const std::vector<PlaceAndVelocity> rows = crystal(one.side, one.basis, cells);
+        const std::vector<Sphere> rows = crystal(one.side, one.basis, cells);
         const Particles particles = equal_spheres(rows.size(), one.radius);
         const Box box = space_of(double(cells) * one.side, periodic_walls);
         const Eigen::ArrayXXcd order = bond_order(box, particles, space_sample(0, rows).position);
@@ -260,7 +240,7 @@ TEST_CASE("crystals have the q6 of Steinhardt, turned or not, and a gas has none
         // The whole is as ordered as each, where all have the same surroundings but for inversion.
         CHECK(global_order(order) == relative(one.q6, 2e-5));
         // The middle of a turned patch.
-        std::vector<PlaceAndVelocity> turned = rows;
+        std::vector<Sphere> turned = rows;
         Eigen::Index inner = 0;
         const Vec middle = 0.5 * box.size;
         const double s = std::sin(0.7), t = std::cos(0.7), u = std::sin(1.9), w = std::cos(1.9);
@@ -279,7 +259,7 @@ TEST_CASE("crystals have the q6 of Steinhardt, turned or not, and a gas has none
     // Twelve directions of an icosahedron: 0.66332. A single neighbour has 1, none 0.
     const double golden = 0.5 * (1.0 + std::sqrt(5.0)),
                  scale = 1.0 / std::sqrt(1.0 + golden * golden);
-    std::vector<PlaceAndVelocity> rows{{{50, 50, 50}}};
+    std::vector<Sphere> rows{{{50, 50, 50}}};
     for (const double a : {-1.0, 1.0})
         for (const double b : {-golden, golden})
             for (int axis = 0; axis < 3; ++axis) {
@@ -350,7 +330,7 @@ TEST_CASE("the entropy of places in space grows by ln 8 from an eighth of the bo
 
 TEST_CASE("what crosses a plane, or a window in it, is counted with its energy") {
     const Box box = space_of({10.0, 10.0, 10.0}, {Wall::solid, Wall::periodic, Wall::solid});
-    const auto totals = [&](const CrossedLine& line, const PlaceAndVelocity& one) {
+    const auto totals = [&](const CrossedLine& line, const Sphere& one) {
         LineCrossings crossings(box, equal_spheres(1, 0.1), line, {0}, {});
         crossings.see(space_sample(0.0, {one}), {});
         Vec to = one.place + 4.0 * one.velocity;
@@ -358,7 +338,7 @@ TEST_CASE("what crosses a plane, or a window in it, is counted with its energy")
         return crossings.see(space_sample(4.0, {{to, one.velocity}}), {});
     };
     // Crosses z = 5 at x = 5, y = 9 + 2 - 10 = 1.
-    const PlaceAndVelocity up{{3, 9, 4}, {1, 1, 0.5}};
+    const Sphere up{{3, 9, 4}, {1, 1, 0.5}};
     CrossedLine line{.axis = 2, .at = 5.0};
     CHECK(totals(line, up).count == std::array<std::int64_t, 2>{1, 0});
     CHECK(totals(line, up).energy[0] == relative(0.5 * 2.25, 1e-12));

@@ -1,12 +1,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 #include "physics/events/event_loop.h"
@@ -27,10 +25,6 @@ namespace {
 
 double ulp(double x) { return std::nextafter(x, std::numeric_limits<double>::max()) - x; }
 
-bool has_driven(const Particles& particles, const Sample& start) {
-    return (particles.inverse_mass == 0.0 && speeds(start) > 0.0).any();
-}
-
 }  // namespace
 
 TEST_CASE("the same events in the same order as the slow, obvious simulator") {
@@ -49,34 +43,7 @@ TEST_CASE("the same events in the same order as the slow, obvious simulator") {
 TEST_CASE("no overlap after any event, energy and momentum are kept") {
     for (std::uint64_t seed = 1001; seed <= 1200; ++seed) {
         CAPTURE(seed);
-        const Gas gas = small_scene(seed);
-        const auto [particles, start] = place(gas);
-        const bool driven = has_driven(particles, start);
-        const bool fixed = (particles.inverse_mass == 0.0).any();
-        const Eigen::ArrayXd masses =
-            (particles.inverse_mass > 0.0).select(particles.inverse_mass.inverse(), 0.0);
-        const auto energy_of = [&](const Sample& s) {
-            return 0.5 * (masses * s.velocity.square().rowwise().sum()).sum();
-        };
-        EventLoop<2> disks(gas.box, particles);
-        disks.start(start);
-        Sample sample;
-        Collision collision{};
-        for (int k = 0; k < 200 && disks.advance_one(1e6, collision); ++k) {
-            CAPTURE(k);
-            disks.sample(collision.time, sample);
-            REQUIRE(test::deepest_overlap(gas.box, particles, sample) <=
-                    test::overlap_bound(gas.box, sample));
-            if (driven) continue;
-            REQUIRE(energy_of(sample) == relative(energy_of(start), 1e-13));
-            for (int a = 0; a < 2; ++a) {
-                if (fixed || !gas.box.is_periodic(a)) continue;
-                const double scale = (masses * speeds(start)).sum();
-                const double change =
-                    (masses * (sample.velocity.col(a) - start.velocity.col(a))).sum();
-                REQUIRE(std::abs(change) <= 1e-13 * scale);
-            }
-        }
+        test::require_conserved<2>(small_scene(seed), 200);
     }
 }
 
@@ -154,21 +121,7 @@ TEST_CASE("one large disk among many small ones, and many sizes at once") {
             Gas gas;
             gas.box.size = {width, width - 10.0};
             gas.box.walls = {side, side};
-            gas.species = {{.name = "giant",
-                            .count = 2,
-                            .radius = 8.0,
-                            .mass = Density{1.0},
-                            .velocity = Temperature{30.0}},
-                           {.name = "middle",
-                            .count = 10,
-                            .radius = UniformDistribution{1.0, 3.0},
-                            .mass = Density{1.0},
-                            .velocity = Temperature{30.0}},
-                           {.name = "dust",
-                            .count = 400,
-                            .radius = UniformDistribution{0.1, 0.4},
-                            .mass = Density{1.0},
-                            .velocity = Temperature{30.0}}};
+            gas.species = test::giants_and_dust(8.0, 3.0);
             test::require_hard<2>(gas, 30'000, 60);
         }
 }
@@ -187,15 +140,10 @@ TEST_CASE("giants that meet each other") {
 }
 
 TEST_CASE("a giant that nearly fills its periodic box is met at each of its images") {
-    // Nobody else moves, so that nobody else finds what the small one has not seen.
     Gas gas;
     gas.box.size = {21.0, 20.0};
     gas.box.walls = {Wall::periodic, Wall::periodic};
-    const ValueRule fixed{std::numeric_limits<double>::infinity()};
-    gas.species = {
-        {.name = "giant", .count = 1, .radius = 8.0, .mass = fixed},
-        {.name = "obstacle", .count = 40, .radius = 0.05, .mass = fixed},
-        {.name = "small", .count = 1, .radius = 0.05, .velocity = Velocity{{{1.0, 0.1}}}}};
+    gas.species = test::one_among_fixed({1.0, 0.1});
     test::require_hard<2>(gas, 3'000, 1);
 }
 
@@ -301,22 +249,8 @@ TEST_CASE("a reversal returns everything to its start within what doubles can do
         gas.seed = seed;
         gas.box.size = {20.0, 20.0};  // packing 0.2
         gas.species = {{.name = "", .count = 100, .velocity = Speed{1.0}}};
-        const auto [particles, start] = place(gas);
-        const double out = 5.0;  // some two collisions per particle
-        const Run run{
-            .until = 2.0 * out, .equilibrate = 0.0, .events = {{out, ReverseVelocities{}}}};
-        Simulation simulation(gas.box, particles, start, run);
-        const auto there = simulation.advance_to(out).counts;
-        const auto back = simulation.advance_to(2.0 * out).counts;
-        CHECK(there.particle > 40);
-        CHECK(back.particle == 2 * there.particle);
-        CHECK(back.wall == 2 * there.wall);
-        // s c + 2 sqrt(s c) + 16 bits for c collisions per particle, s = 2.5 at this packing
-        const double bits = 2.5 * 2.0 * static_cast<double>(there.particle) / 100.0;
-        const double bound = std::exp2(bits + 2.0 * std::sqrt(bits) + 16.0 - 53.0);
-        const Sample& returned = simulation.sample();
-        CHECK((returned.position - start.position).abs().maxCoeff() <= bound);
-        CHECK((returned.velocity + start.velocity).abs().maxCoeff() <= bound);
+        // Some two collisions per particle, which cost 2.5 bits each at this packing.
+        test::check_return(gas, 5.0, 2.5);
     }
 }
 

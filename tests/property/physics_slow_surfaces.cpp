@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
 #include "physics/multiprecision/multiprecision.h"
 #include "support/goodness_of_fit.h"
@@ -16,15 +15,6 @@ using namespace carom;
 using test::SurfaceTally;
 
 namespace {
-
-// Three tests of a run: chance fails one in a million.
-void check_random_walls(const SurfaceTally& tally) {
-    CHECK(tally.sines.size() > 1'000);
-    CHECK(test::chance(tally.sines, [](double sine) { return 0.5 * (1.0 + sine); }) > 1e-6);
-    CHECK(test::chance(tally.flux, [](double v) { return 1.0 - std::exp(-0.5 * v * v); }) > 1e-6);
-    CHECK(test::chance(tally.along,
-                       [](double v) { return 0.5 * std::erfc(-v / std::numbers::sqrt2); }) > 1e-6);
-}
 
 // A disk on a parabola that comes within a little of a body at its nearest to it.
 test::SurfaceScene grazing_scene(std::uint64_t seed) {
@@ -43,18 +33,11 @@ test::SurfaceScene grazing_scene(std::uint64_t seed) {
         distance += peg;
     }
     box.surfaces.gravity = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
-    const double miss =
-        std::pow(10.0, random.uniform(-15.0, -2.0)) * (random.uniform() < 0.5 ? 1.0 : -1.0);
+    const double miss = test::any_miss(random);
     const Vec nearest = center + (distance + miss) * away;
     const Vec velocity = random.uniform(1.0, 3.0) * Vec{-away[1], away[0]};
     const double time = random.uniform(0.5, 3.0);
-    const Vec& gravity = box.surfaces.gravity;
-    scene.gas.species = {
-        {.name = "disk",
-         .count = 1,
-         .radius = radius,
-         .velocity = Velocity{{velocity - time * gravity}},
-         .position = Places{{nearest - time * velocity + 0.5 * time * time * gravity}}}};
+    scene.gas.species = {test::thrown_to(nearest, velocity, time, box.surfaces.gravity, radius)};
     return scene;
 }
 
@@ -71,7 +54,7 @@ TEST_CASE("disks among surfaces do what the slow, obvious simulator says") {
     CHECK(tally.events > 4'000);
     CHECK(tally.refused > 25);
     CHECK(tally.ended < 300);
-    check_random_walls(tally);
+    test::check_random_walls(tally);
 }
 
 TEST_CASE("beads between ends that act do what the slow, obvious simulator says") {

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 
 #include "physics/events/event_loop.h"
@@ -64,34 +63,7 @@ TEST_CASE("spheres: with many bits the same events as the slow, obvious simulato
 TEST_CASE("spheres: no overlap after any event, energy and momentum are kept") {
     for (std::uint64_t seed = 1001; seed <= 1150; ++seed) {
         CAPTURE(seed);
-        const Gas gas = test::small_scene(seed, 3);
-        const auto [particles, start] = place(gas);
-        const bool driven = infinite_mass_moves(particles, start);
-        const bool fixed = (particles.inverse_mass == 0.0).any();
-        const Eigen::ArrayXd masses =
-            (particles.inverse_mass > 0.0).select(particles.inverse_mass.inverse(), 0.0);
-        const auto energy_of = [&](const Sample& s) {
-            return 0.5 * (masses * s.velocity.square().rowwise().sum()).sum();
-        };
-        EventLoop<3> spheres(gas.box, particles);
-        spheres.start(start);
-        Sample sample;
-        Collision collision{};
-        for (int k = 0; k < 200 && spheres.advance_one(1e6, collision); ++k) {
-            CAPTURE(k);
-            spheres.sample(collision.time, sample);
-            REQUIRE(test::deepest_overlap(gas.box, particles, sample) <=
-                    test::overlap_bound(gas.box, sample));
-            if (driven) continue;
-            REQUIRE(energy_of(sample) == relative(energy_of(start), 1e-13));
-            for (int a = 0; a < 3; ++a) {
-                if (fixed || !gas.box.is_periodic(a)) continue;
-                const double scale = (masses * speeds(start)).sum();
-                const double change =
-                    (masses * (sample.velocity.col(a) - start.velocity.col(a))).sum();
-                REQUIRE(std::abs(change) <= 1e-13 * scale);
-            }
-        }
+        test::require_conserved<3>(test::small_scene(seed, 3), 200);
     }
 }
 
@@ -114,34 +86,15 @@ TEST_CASE("large spheres among small ones, and many sizes at once") {
             CAPTURE(static_cast<int>(side));
             Gas gas;
             gas.box = test::space_of({width, width - 5.0, width - 3.0}, {side, side, side});
-            gas.species = {{.name = "giant",
-                            .count = 2,
-                            .radius = 6.0,
-                            .mass = Density{1.0},
-                            .velocity = Temperature{30.0}},
-                           {.name = "middle",
-                            .count = 10,
-                            .radius = UniformDistribution{1.0, 2.5},
-                            .mass = Density{1.0},
-                            .velocity = Temperature{30.0}},
-                           {.name = "dust",
-                            .count = 400,
-                            .radius = UniformDistribution{0.1, 0.4},
-                            .mass = Density{1.0},
-                            .velocity = Temperature{30.0}}};
+            gas.species = test::giants_and_dust(6.0, 2.5);
             test::require_hard<3>(gas, width < 50.0 ? 10'000 : 3'000, 200);
         }
 }
 
 TEST_CASE("a giant sphere that nearly fills its periodic box is met at each of its images") {
-    // Nobody else moves, so that nobody else finds what the small one has not seen.
     Gas gas;
     gas.box = test::space_of({21.0, 20.0, 19.5}, periodic);
-    const ValueRule fixed{std::numeric_limits<double>::infinity()};
-    gas.species = {
-        {.name = "giant", .count = 1, .radius = 8.0, .mass = fixed},
-        {.name = "obstacle", .count = 40, .radius = 0.05, .mass = fixed},
-        {.name = "small", .count = 1, .radius = 0.05, .velocity = Velocity{{{1.0, 0.1, 0.3}}}}};
+    gas.species = test::one_among_fixed({1.0, 0.1, 0.3});
     test::require_hard<3>(gas, 3'000, 1);
 }
 
@@ -156,22 +109,8 @@ TEST_CASE("spheres: a reversal returns everything to its start within what doubl
         Gas gas = equal_spheres(100, 0.1, {});
         gas.seed = seed;
         gas.species[0].velocity = Speed{1.0};
-        const auto [particles, start] = place(gas);
-        const double out = 2.0;
-        const Run run{
-            .until = 2.0 * out, .equilibrate = 0.0, .events = {{out, ReverseVelocities{}}}};
-        Simulation simulation(gas.box, particles, start, run);
-        const auto there = simulation.advance_to(out).counts;
-        const auto back = simulation.advance_to(2.0 * out).counts;
-        CHECK(there.particle > 40);
-        CHECK(back.particle == 2 * there.particle);
-        CHECK(back.wall == 2 * there.wall);
-        // As in the plane, with s = 5 bits for each collision: the 16 spheres at packing 0.08 of
-        // tests/reference/sphere_trajectories.csv lose 3.2.
-        const double bits = 5.0 * 2.0 * static_cast<double>(there.particle) / 100.0;
-        const double bound = std::exp2(bits + 2.0 * std::sqrt(bits) + 16.0 - 53.0);
-        const Sample& returned = simulation.sample();
-        CHECK((returned.position - start.position).abs().maxCoeff() <= bound);
-        CHECK((returned.velocity + start.velocity).abs().maxCoeff() <= bound);
+        // The 16 spheres at packing 0.08 of tests/reference/sphere_trajectories.csv lose 3.2 bits
+        // for each collision.
+        test::check_return(gas, 2.0, 5.0);
     }
 }

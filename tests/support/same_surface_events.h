@@ -19,6 +19,7 @@
 
 #include "physics/events/event_loop.h"
 #include "physics/placement/placement.h"
+#include "support/goodness_of_fit.h"
 #include "support/slow_surfaces.h"
 #include "support/surface_scenes.h"
 #include "util/random.h"
@@ -35,6 +36,17 @@ struct SurfaceTally {
     /// the normal in units of pi.
     std::vector<double> sines, turns;
 };
+
+/// Four tests of a run, three where there are no turns: chance fails one in a million.
+inline void check_random_walls(const SurfaceTally& tally) {
+    const auto is_uniform = [](double x) { return 0.5 * (1.0 + x); };
+    CHECK(tally.sines.size() > 1'000);
+    CHECK(chance(tally.sines, is_uniform) > 1e-6);
+    if (!tally.turns.empty()) CHECK(chance(tally.turns, is_uniform) > 1e-6);
+    CHECK(chance(tally.flux, [](double v) { return 1.0 - std::exp(-0.5 * v * v); }) > 1e-6);
+    CHECK(chance(tally.along, [](double v) { return 0.5 * std::erfc(-v / std::numbers::sqrt2); }) >
+          1e-6);
+}
 
 /// Directions across a normal, of length 1 and orthogonal to each other: those of the other axes in
 /// their order if the normal points along an axis.

@@ -38,6 +38,21 @@ inline Behaviour any_behaviour(Random& random, int dimension, bool is_side, bool
                     .downward = {.faster_than = 0.0, .slower_than = random.uniform(0.0, 2.0)}};
 }
 
+/// By how much something passes a body, or would overlap it: by very little or by more.
+inline double any_miss(Random& random) {
+    return std::pow(10.0, random.uniform(-15.0, -2.0)) * (random.uniform() < 0.5 ? 1.0 : -1.0);
+}
+
+/// One particle that falls, and would be at this place with this velocity at this time.
+inline Species thrown_to(const Vec& place, const Vec& velocity, double time, const Vec& gravity,
+                         double radius) {
+    return {.name = "thrown",
+            .count = 1,
+            .radius = radius,
+            .velocity = Velocity{{velocity - time * gravity}},
+            .position = Places{{place - time * velocity + 0.5 * time * time * gravity}}};
+}
+
 /// Random gaps in a partition across `box`, whose other axes are these. Some are narrower than a
 /// particle, some begin at a wall; in space some reach along each other.
 inline std::vector<Gap> any_gaps(Random& random, const Box& box, const std::vector<int>& others) {

@@ -7,6 +7,7 @@
 
 #include "physics/placement/draws.h"
 #include "physics/placement/placement.h"
+#include "support/space.h"
 #include "util/random.h"
 
 namespace carom::test {
@@ -57,8 +58,7 @@ Condition on_line(const std::string& name, Wall ends, const std::vector<double>&
 
 Condition in_space(const std::string& name, const std::function<void(GasState&)>& change) {
     Condition condition{name, [=](GasState& s) {
-                            s.gas.box = {3, {20.0, 15.0, 12.0}};
-                            s.gas.box.surfaces.side_count = 6;
+                            s.gas.box = space_of({20.0, 15.0, 12.0});
                             change(s);
                         }};
     condition.is_space = true;
@@ -117,10 +117,6 @@ Condition unplaced(Condition condition) {
     return condition;
 }
 
-}  // namespace
-
-namespace {
-
 std::vector<Condition> conditions_in_space() {
     const auto nothing = [](GasState&) {};
     const auto with = [](const Partition& partition) {
@@ -133,6 +129,12 @@ std::vector<Condition> conditions_in_space() {
         return [=](GasState& s) {
             s.gas.box.surfaces.sides.at(number) = behaviour;
             s.asked.surface = static_cast<std::int32_t>(number);
+        };
+    };
+    const auto in_periodic_cube = [](std::int64_t count) {
+        return [=](GasState& s) {
+            s.gas.box = cube_of(10.0, Wall::periodic);
+            s.gas.species = {disks(count)};
         };
     };
     const Partition middle{.name = "wall", .axis = 2, .at = 6.0};
@@ -193,24 +195,9 @@ std::vector<Condition> conditions_in_space() {
                      s.gas.species = {disks(2)};
                  }),
         in_space("space-points", [](GasState& s) { s.gas.species[0].radius = 0.0; }),
-        in_space("space-fluid",  // packing 0.3
-                 [](GasState& s) {
-                     make_periodic_in_space(s);
-                     s.gas.box.size = {10.0, 10.0, 10.0};
-                     s.gas.species = {disks(2653)};
-                 }),
-        in_space("space-dense",  // 0.48
-                 [](GasState& s) {
-                     make_periodic_in_space(s);
-                     s.gas.box.size = {10.0, 10.0, 10.0};
-                     s.gas.species = {disks(4244)};
-                 }),
-        in_space("space-frozen",  // 0.52
-                 [](GasState& s) {
-                     make_periodic_in_space(s);
-                     s.gas.box.size = {10.0, 10.0, 10.0};
-                     s.gas.species = {disks(4598)};
-                 })};
+        in_space("space-fluid", in_periodic_cube(2653)),    // packing 0.3
+        in_space("space-dense", in_periodic_cube(4244)),    // 0.48
+        in_space("space-frozen", in_periodic_cube(4598))};  // 0.52
 }
 
 }  // namespace

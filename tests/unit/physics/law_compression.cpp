@@ -9,26 +9,18 @@
 #include "physics/placement/placement.h"
 #include "physics/theory/law.h"
 #include "support/gas_states.h"
+#include "support/heating.h"
 #include "support/relative.h"
 
 using namespace carom;
 using std::numbers::pi;
 using test::disks;
 using test::GasState;
+using test::heating_at;
 using test::relative;
 using test::state_named;
 
 namespace {
-
-// The logarithm of the temperature over that at the start, of an adiabat at one length.
-double heating_at(GasState s, double length, EquationOfState equation) {
-    s.asked.surface = 3;
-    s.asked.lengths = {length};
-    s.asked.equation = equation;
-    const Law found = law(s.boxed(), LawOf::adiabat, s.asked);
-    CHECK(found.curve[0] > 0.0);
-    return std::log(found.temperatures[0] / s.value_of(LawOf::temperature));
-}
 
 // Disks of radius 0.3 that begin with this packing in a box with this side along y.
 GasState dense_state(int count, double packing, double height, Walls walls) {

@@ -12,6 +12,7 @@
 #include "physics/theory/law.h"
 #include "support/csv.h"
 #include "support/gas_states.h"
+#include "support/heating.h"
 #include "support/relative.h"
 #include "support/space.h"
 
@@ -148,19 +149,6 @@ TEST_CASE("dilute spheres push their walls as their configuration integral says"
           relative(forces / (wide * wide + 2.0 * wide * height), 1e-12));
 }
 
-namespace {
-
-double heating_of_spheres(GasState s, double length, EquationOfState equation) {
-    s.asked.surface = 5;
-    s.asked.lengths = {length};
-    s.asked.equation = equation;
-    const Law found = law(s.boxed(), LawOf::adiabat, s.asked);
-    CHECK(found.curve[0] > 0.0);
-    return std::log(found.temperatures[0] / s.value_of(LawOf::temperature));
-}
-
-}  // namespace
-
 TEST_CASE("the adiabat of spheres is that of their equation of state, of points T V^(2/3)") {
     // Of Carnahan and Starling's the excess free energy is (4 eta - 3 eta^2) / (1 - eta)^2 each.
     const GasState s = state_named("space-fluid");
@@ -172,7 +160,7 @@ TEST_CASE("the adiabat of spheres is that of their equation of state, of points 
     for (const double ratio : {0.7, 0.9, 1.0, 3.0}) {
         CAPTURE(ratio);
         const double expected = 2.0 * count / freedoms * (entropy(start / ratio) - entropy(start));
-        CHECK(std::abs(heating_of_spheres(s, 10.0 * ratio, EquationOfState::simple) - expected) <
+        CHECK(std::abs(test::heating_at(s, 10.0 * ratio, EquationOfState::simple) - expected) <
               1e-7);
     }
     // Beyond freezing there is none: packing 0.494 at 6.07.

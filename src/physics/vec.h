@@ -55,6 +55,12 @@ struct Vec {
     std::array<double, 3> along_{};
 };
 
+/// The name of an axis: x, y or z.
+constexpr const char* name_of_axis(std::integral auto axis) {
+    constexpr std::array names{"x", "y", "z"};
+    return names[static_cast<std::size_t>(axis)];
+}
+
 /// The scalar product.
 constexpr double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "physics/units/axis_letter.h"
+#include "physics/vec.h"
 #include "physics/ways_back.h"
 #include "runs/run_meters.h"
 #include "scene/scene.h"
@@ -150,7 +150,8 @@ void add_surface(Rows& rows, const SceneAndRun& from, const std::string& name) {
                     })});
     for (int axis = 0; axis < from.scene.gas.box.dimension; ++axis)
         rows.push_back(
-            {{fmt::format("impulse on {} along {}", name, axis_letter(axis)), quantities::momentum},
+            {{fmt::format("impulse on {} along {}", name, name_of_axis(axis)),
+              quantities::momentum},
              of([&](const SurfaceReport& surface) { return surface.totals.impulse[axis]; })});
     rows.push_back({{"work of " + name, quantities::energy},
                     of([](const SurfaceReport& surface) { return surface.totals.work; })});

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "physics/reversal/mirrored_events.h"
-#include "physics/units/axis_letter.h"
+#include "physics/vec.h"
 #include "physics/ways_back.h"
 #include "scene/scene.h"
 #include "scene/yaml/scalar.h"
@@ -51,7 +51,7 @@ BoxWords words_of_space(Language language, const Box& box) {
     const double width = box.size[0], height = box.size[1], depth = box.size[2];
     std::vector<std::string> periodic;
     for (int axis = 0; axis < 3; ++axis)
-        if (box.is_periodic(axis)) periodic.push_back(axis_letter(axis));
+        if (box.is_periodic(axis)) periodic.push_back(name_of_axis(axis));
     if (periodic.size() == 3)
         return {say(language, "in a periodic box of {} by {} by {}", width, height, depth),
                 say(language, "What leaves on one side enters on the opposite side.")};
@@ -127,8 +127,8 @@ std::string words_of(Language language, const Partition& partition, const std::s
     const std::string what = only_reflects(partition.behaviour)
                                  ? say(language, "divides the box")
                                  : words_of(language, partition.behaviour, gas, partition.axis);
-    std::string text =
-        say(language, "{} at {} = {} {}", subject, axis_letter(partition.axis), partition.at, what);
+    std::string text = say(language, "{} at {} = {} {}", subject, name_of_axis(partition.axis),
+                           partition.at, what);
     const auto gaps = static_cast<long long>(partition.gaps.size());
     if (gaps > 0)
         text += " " + counted(language, gaps, Phrase{"and has {} gap"}, Phrase{"and has {} gaps"});

@@ -13,7 +13,7 @@
 #include "physics/placement/draws.h"
 #include "physics/theory/collision_rate.h"
 #include "physics/theory/law.h"
-#include "physics/units/axis_letter.h"
+#include "physics/vec.h"
 #include "runs/number_json.h"
 #include "scene/describe.h"
 #include "scene/words.h"
@@ -54,7 +54,7 @@ Fact box_fact(const Box& box) {
         walls["front"] = side_word(box, 5);
         std::vector<std::string> periodic;
         for (int axis = 0; axis < 3; ++axis)
-            if (box.is_periodic(axis)) periodic.emplace_back(axis_letter(axis));
+            if (box.is_periodic(axis)) periodic.emplace_back(name_of_axis(axis));
         const std::string words = periodic.size() == 3 ? "periodic"
                                   : !periodic.empty()  ? "periodic along " + listed(periodic)
                                   : walls_act          ? "walls that act"

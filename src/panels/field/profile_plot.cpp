@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "panels/field/profile.h"
-#include "physics/units/axis_letter.h"
+#include "physics/vec.h"
 #include "scene/scene.h"
 #include "util/text.h"
 
@@ -109,7 +109,7 @@ void ProfilePanel::make_axes() {
     const Scene& scene = context_.scene;
     const Language language = context_.language();
     const Quantity quantity = quantity_of_field(scene, options().quantity);
-    const std::string place = scene.gas.box.dimension == 1 ? "position" : axis_letter(axis_);
+    const std::string place = scene.gas.box.dimension == 1 ? "position" : name_of_axis(axis_);
     const double most = std::ranges::max_element(record_.runs, {}, &ProfileRun::most)->most;
     const double top = round_up_for_axis(1.02 * most);
     const double low = options().quantity == FieldOf::flow ? -top : 0.0;
@@ -179,7 +179,7 @@ std::string ProfilePanel::account_of(const std::vector<double>& of_slabs,
                            : say(language, "unknown");
     if (!known.any()) return "";
     const std::string what = name_of_quantity(language, context_.scene, options().quantity, {});
-    const std::string axis = axis_letter(axis_), time = words_of_moments(language, spec_, over_);
+    const std::string axis = name_of_axis(axis_), time = words_of_moments(language, spec_, over_);
     if (spec_.of.empty())
         return say(language, "{} along {}, {}: between {} and {}.", what, axis, time, low, high);
     return say(language, "{} of {} along {}, {}: between {} and {}.", what,

@@ -9,7 +9,7 @@
 #include "panels/registry.h"
 #include "panels/surfaces/surface_words.h"
 #include "physics/gas.h"
-#include "physics/units/axis_letter.h"
+#include "physics/vec.h"
 #include "scene/panel_kind.h"
 #include "scene/reading/overlay_reading.h"
 
@@ -184,13 +184,13 @@ Table GasPanel::table(const PanelState& state, const Theme& theme) const {
     const int dimension = context_.box().dimension;
     Table table{{"part", "particle", "species"}};
     for (int axis = 0; axis < dimension; ++axis)
-        table.columns.emplace_back(axis_letter(axis), quantities::length);
+        table.columns.emplace_back(name_of_axis(axis), quantities::length);
     for (const Heading& heading :
          {Heading("radius", quantities::length), Heading("colour"), Heading("label")})
         table.columns.push_back(heading);
     if (arrows_.shown())
         for (int axis = 0; axis < dimension; ++axis)
-            table.columns.emplace_back(std::string("velocity ") + axis_letter(axis),
+            table.columns.emplace_back(std::string("velocity ") + name_of_axis(axis),
                                        quantities::velocity);
     field_.add_columns(table);
     const auto cells = [&](const auto& place, const std::vector<TableCell>& more) {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "physics/box.h"
-#include "physics/units/axis_letter.h"
+#include "physics/vec.h"
 #include "scene/keys/check.h"
 #include "util/text.h"
 
@@ -36,7 +36,7 @@ CrossedLine crossed_line(const Box& box, const CrossedAt& at, std::size_t surfac
 
 std::string name_of_line(const Box& box, const CrossedAt& at, std::size_t surface) {
     if (!at.line) return box.surfaces.names()[static_cast<std::size_t>(at.surfaces.at(surface))];
-    return fmt::format("{} = {}", axis_letter(at.line->axis), plain_number(at.line->at));
+    return fmt::format("{} = {}", name_of_axis(at.line->axis), plain_number(at.line->at));
 }
 
 std::array<Phrase, 2> ways_across(int axis) {

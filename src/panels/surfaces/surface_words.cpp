@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "physics/gas.h"
-#include "physics/units/axis_letter.h"
+#include "physics/vec.h"
 #include "scene/describe.h"
 #include "util/overloaded.h"
 #include "util/text.h"
@@ -128,7 +128,7 @@ std::string words_at_present(Language language, const Gas& gas,
                 doing_of(language, gas, state, axis));
         const std::string place = three_digits(language, place_of_surface(gas.box, states, k));
         const std::string where =
-            has_place ? say(language, "{}, at {} = {}", doing, axis_letter(axis), place) : doing;
+            has_place ? say(language, "{}, at {} = {}", doing, name_of_axis(axis), place) : doing;
         text += where + ". ";
     }
     if (!text.empty()) text.pop_back();

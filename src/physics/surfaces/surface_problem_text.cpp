@@ -1,7 +1,6 @@
 // The problems of surfaces in words.
 #include <fmt/format.h>
 
-#include <concepts>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -23,8 +22,6 @@ const char* word_of_forgetful(Kind kind) {
 }
 
 std::string range_text(double size) { return fmt::format("0 to {}", size); }
-
-char name_of_axis(std::integral auto axis) { return "xyz"[axis]; }
 
 // The gaps of a partition in space, and where they may lie.
 std::string gap_text(const Gap& gap) {

@@ -90,7 +90,6 @@ const std::set<std::string> plain_physics{"physics/box.h",
                                           "physics/surfaces/surface_problem.h",
                                           "physics/theory/law.h",
                                           "physics/events/time_step.h",
-                                          "physics/units/axis_letter.h",
                                           "physics/value_rule.h",
                                           "physics/vec.h",
                                           "physics/ways_back.h"};

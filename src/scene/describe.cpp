@@ -113,11 +113,10 @@ std::string words_of(Language language, const Membrane& membrane, const Gas& gas
         const std::string who = passing_words(language, speeds);
         if (!who.empty()) passes.push_back(say(language, "{} {}", who, say(language, where)));
     };
-    constexpr std::array up{Phrase{"to the right"}, Phrase{"upwards"}, Phrase{"to the front"}};
-    constexpr std::array down{Phrase{"to the left"}, Phrase{"downwards"}, Phrase{"to the back"}};
     if (membrane.species.empty()) {
-        add(membrane.upward, up.at(static_cast<std::size_t>(axis)));
-        add(membrane.downward, down.at(static_cast<std::size_t>(axis)));
+        const auto [up, down] = ways_across(axis);
+        add(membrane.upward, up);
+        add(membrane.downward, down);
     }
     return say(language, "lets {} through", listed(language, passes));
 }
@@ -174,6 +173,12 @@ std::string particles_counted(Language language, long long count, int dimension)
     if (dimension == 1) return counted(language, count, Phrase{"{} bead"}, Phrase{"{} beads"});
     if (dimension == 2) return counted(language, count, Phrase{"{} disk"}, Phrase{"{} disks"});
     return counted(language, count, Phrase{"{} sphere"}, Phrase{"{} spheres"});
+}
+
+std::array<Phrase, 2> ways_across(int axis) {
+    if (axis == 0) return {Phrase{"to the right"}, Phrase{"to the left"}};
+    if (axis == 1) return {Phrase{"upwards"}, Phrase{"downwards"}};
+    return {Phrase{"to the front"}, Phrase{"to the back"}};
 }
 
 std::string name_of_surface(Language language, std::int32_t surface, const Gas& gas) {

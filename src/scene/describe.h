@@ -1,6 +1,7 @@
 // Descriptions of what a scene shows, in a given language, for readers who cannot see the film.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,10 @@ std::string describe(const Scene& scene);
 /// Returns a count of particles, "1 disk", "30 beads" or "9 spheres", for a gas of the given
 /// dimension.
 std::string particles_counted(Language language, long long count, int dimension);
+
+/// Returns the two directions across a line or a surface, toward larger coordinates first: "to the
+/// right" and "to the left", "upwards" and "downwards", or "to the front" and "to the back".
+std::array<Phrase, 2> ways_across(int axis);
 
 /// Returns the name of a surface, given its number (surface.h): "The left wall", "The partition
 /// “divider”", "The obstacle “peg”".

@@ -10,6 +10,7 @@
 #include "panels/plot/layers.h"
 #include "panels/registry.h"
 #include "physics/box.h"
+#include "scene/describe.h"
 #include "scene/panel_kind.h"
 
 namespace carom {

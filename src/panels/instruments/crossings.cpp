@@ -39,12 +39,6 @@ std::string name_of_line(const Box& box, const CrossedAt& at, std::size_t surfac
     return fmt::format("{} = {}", name_of_axis(at.line->axis), plain_number(at.line->at));
 }
 
-std::array<Phrase, 2> ways_across(int axis) {
-    if (axis == 0) return {Phrase{"to the right"}, Phrase{"to the left"}};
-    if (axis == 1) return {Phrase{"upwards"}, Phrase{"downwards"}};
-    return {Phrase{"to the front"}, Phrase{"to the back"}};
-}
-
 std::array<std::string, 2> arrows_across(int axis) {
     if (axis == 0) return {"→", "←"};
     if (axis == 1) return {"↑", "↓"};

@@ -41,9 +41,7 @@ CrossedLine crossed_line(const Box& box, const CrossedAt& at, std::size_t surfac
 /// The name of that line: the partition's name, or "x = 32".
 std::string name_of_line(const Box& box, const CrossedAt& at, std::size_t surface = 0);
 
-/// The two directions across a line, toward larger coordinates first: "to the right" and "to the
-/// left", "upwards" and "downwards", or "to the front" and "to the back".
-std::array<Phrase, 2> ways_across(int axis);
+/// The directions of ways_across() (scene/describe.h) as arrows.
 std::array<std::string, 2> arrows_across(int axis);
 
 }  // namespace carom

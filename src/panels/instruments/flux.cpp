@@ -10,6 +10,7 @@
 #include "panels/plot/window.h"
 #include "panels/plots/series_panel.h"
 #include "panels/registry.h"
+#include "scene/describe.h"
 #include "scene/panel_kind.h"
 
 namespace carom {

@@ -181,6 +181,10 @@ Notation<Vec> vector_of(int dimension, Range range, std::string phrase) {
                   });
 }
 
+const char* particles_of(int dimension) {
+    return dimension == 1 ? "beads" : dimension == 2 ? "disks" : "spheres";
+}
+
 const char* corners(int dimension) {
     return dimension == 1   ? "[x0, x1]"
            : dimension == 2 ? "[x0, y0, x1, y1]"

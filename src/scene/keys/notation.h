@@ -273,6 +273,9 @@ Notation<TwoNumbers> pair_of(Range range, std::string phrase);
 /// `phrase` is what messages call a list.
 Notation<Vec> vector_of(int dimension, Range range, std::string phrase = "");
 
+/// What messages call the particles in a box of this dimension.
+const char* particles_of(int dimension);
+
 /// The lower and the upper corner of a part of a box of this dimension, in one list: [x0, x1] on a
 /// wire, [x0, y0, x1, y1] in a plane, [x0, y0, z0, x1, y1, z1] in space; for `key`, the name of the
 /// value. Reports corners that are not in order; `first` is the hint to write one of them first.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "physics/gas.h"
+#include "scene/keys/notation.h"
 #include "scene/lettering/word_pattern.h"
 #include "scene/limits.h"
 #include "util/text.h"
@@ -59,7 +60,7 @@ void report_narrow(const Node& word, const char* particles, double count, double
 
 std::optional<Places> places_of_word(const Node& word, const Region& region, int dimension,
                                      const ValueRule& radius, std::int64_t count, Errors& errors) {
-    const char* particles = dimension == 3 ? "spheres" : "disks";
+    const char* particles = particles_of(dimension);
     const WordShape shape = word_shape(word.text);
     const auto largest = largest_of(radius);
     if (!check_word(word, shape, errors)) return std::nullopt;

@@ -56,7 +56,7 @@ KeyTable<PositionDraft> part_table(int dimension) {
                      fmt::format("A word written with {0}, as large as fits into `within`{1}: "
                                  "capitals, digits, . ! ? - + = ♥ ☺. Without `count`, it has as "
                                  "many {0} as fit with some space between them.",
-                                 is_plane ? "disks" : "spheres",
+                                 particles_of(dimension),
                                  is_plane ? "" : ", half way between its back and its front"))
                 .default_text("random places"));
     }
@@ -95,10 +95,6 @@ Notation<Temperature> temperature_notation() {
                   mapped(mapping(table, "{exact: T}"), [](const Exact& its) {
                       return Temperature{its.value, true};
                   }));
-}
-
-const char* particles_of(int dimension) {
-    return dimension == 1 ? "beads" : dimension == 2 ? "disks" : "spheres";
 }
 
 std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {

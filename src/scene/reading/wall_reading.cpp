@@ -202,9 +202,7 @@ std::optional<Behaviour> behaviour_of(const ActingDraft& draft, const Node& node
 }
 
 std::vector<std::string> side_names(int dimension) {
-    std::vector<std::string> names{"left", "right", "bottom", "top", "back", "front"};
-    names.resize(2 * static_cast<std::size_t>(dimension));
-    return names;
+    return Surfaces{.side_count = 2 * dimension}.names();
 }
 
 Notation<SidesDraft> sides_notation(int dimension) {

@@ -1,8 +1,6 @@
 // Serialization by Archive of the plain values of physics.
 #pragma once
 
-#include <variant>
-
 #include "physics/advance_result.h"
 #include "physics/box.h"
 #include "physics/particles.h"
@@ -34,8 +32,8 @@ inline void archive_parts(Archive& archive, Partition& partition) {
     archive(partition.name, partition.axis, partition.at, partition.gaps, partition.behaviour,
             partition.is_open);
 }
-inline void archive_parts(Archive& archive, Obstacle::Ball& disk) {
-    archive(disk.center, disk.radius);
+inline void archive_parts(Archive& archive, Obstacle::Ball& ball) {
+    archive(ball.center, ball.radius);
 }
 inline void archive_parts(Archive& archive, Obstacle::Cuboid& cuboid) {
     archive(cuboid.low, cuboid.high);
@@ -44,14 +42,7 @@ inline void archive_parts(Archive& archive, Obstacle::Lines& lines) {
     archive(lines.corners, lines.is_closed);
 }
 inline void archive_parts(Archive& archive, Obstacle& obstacle) {
-    auto which = static_cast<std::int64_t>(obstacle.shape.index());
-    archive(obstacle.name, which);
-    if (archive.is_reading()) {
-        if (which == 0) obstacle.shape = Obstacle::Ball{{}, 0.0};
-        if (which == 1) obstacle.shape = Obstacle::Lines{};
-        if (which == 2) obstacle.shape = Obstacle::Cuboid{};
-    }
-    std::visit([&](auto& shape) { archive(shape); }, obstacle.shape);
+    archive(obstacle.name, obstacle.shape);
 }
 inline void archive_parts(Archive& archive, Surfaces& surfaces) {
     archive(surfaces.sides, surfaces.side_count, surfaces.partitions, surfaces.obstacles,

@@ -32,16 +32,14 @@ struct Gap {
 
     double from() const { return low[0]; }
     double to() const { return high[0]; }
-    /// Its width along the first of these axes.
-    double width() const { return high[0] - low[0]; }
     /// The largest of its widths along these axes.
     double widest(int dimension) const {
-        return dimension < 3 ? width() : std::max(width(), high[1] - low[1]);
+        return dimension < 3 ? to() - from() : std::max(to() - from(), high[1] - low[1]);
     }
     /// How much of its partition it opens, if all its edges are moved inwards by a distance: a
     /// length in the plane, an area in space.
     double extent(int dimension, double inset = 0.0) const {
-        const double first = width() - 2.0 * inset, second = high[1] - low[1] - 2.0 * inset;
+        const double first = to() - from() - 2.0 * inset, second = high[1] - low[1] - 2.0 * inset;
         if (!(first > 0.0)) return 0.0;
         return dimension < 3 ? first : second > 0.0 ? first * second : 0.0;
     }

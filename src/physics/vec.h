@@ -61,6 +61,11 @@ constexpr const char* name_of_axis(std::integral auto axis) {
     return names[static_cast<std::size_t>(axis)];
 }
 
+/// The two axes of space other than this one, in ascending order.
+constexpr std::array<std::size_t, 2> other_axes(std::size_t axis) {
+    return {axis == 0 ? 1U : 0U, axis == 2 ? 1U : 2U};
+}
+
 /// The scalar product.
 constexpr double dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 

@@ -1,7 +1,7 @@
 // The time at which a point on a parabola comes within a given distance of a point at rest: contact
-// of a falling disk with a fixed disk or a corner, or of two disks of which only one falls. Free
-// functions on numbers, for any scalar with sqrt and abs. Times are counted from the present. No
-// contact is missed, however short, down to the rounding of positions.
+// of a falling particle with a fixed disk or sphere, an edge or a corner, or of two particles of
+// which only one falls. Free functions on numbers, for any scalar with sqrt and abs. Times are
+// counted from the present. No contact is missed, however short, down to the rounding of positions.
 //
 // The gap c(t) = |r(t)|^2 - sigma^2 with r(t) = r + v t + a t^2 / 2 is a quartic. Its derivative is
 // 2 h(t) with h = r(t) . v(t), and h' = (v^2 + r . a) + 3 (v . a) t + (3/2) a^2 t^2 is quadratic.

@@ -1,6 +1,6 @@
 // Types shared by the event loop (event_loop.h), whose source is the same in every dimension, and
-// its geometries: disks or spheres in a box (box_of_bodies.h, mp_bodies.h) and beads on a line
-// (line.h).
+// its geometries: disks or spheres in a box (plane.h, open_space.h, mp_space.h) and beads on a line
+// (line.h, open_line.h).
 #pragma once
 
 #include <algorithm>
@@ -63,9 +63,9 @@ inline constexpr std::uint32_t most_collisions = (1U << bits_of_collisions) - 1U
 /// with another particle if `contact_time` is not later than that time, otherwise the particle
 /// reaches a border.
 struct Prediction {
-    double contact_time = never<double>;  ///< local; not later than the contact; in the plane of
-                                          ///< doubles it may be the time of a contact after the
-                                          ///< border is reached
+    double contact_time = never<double>;  ///< local; not later than the contact; for disks and
+                                          ///< spheres in doubles it may be the time of a contact
+                                          ///< after the border is reached
     std::int32_t partner = 0;             ///< the other particle of that contact
     std::uint32_t partner_collisions : bits_of_collisions = 0;
     std::uint32_t border : bits_of_border = 0;

@@ -138,7 +138,7 @@ SurfaceError EventLoop<Dimension, Scalar, has_surfaces>::at_present(
         return {error.surface(),
                 fmt::format("`{}` {} at time {:.6g}, where it is at {} = {:.6g}{}",
                             box_.surfaces.names()[k], error.what(), clock_.absolute(now_),
-                            "xyz"[mover.axis], static_cast<double>(mover.place_at(now_)),
+                            name_of_axis(mover.axis), static_cast<double>(mover.place_at(now_)),
                             error.reason()),
                 "", error.hint()};
     }
@@ -178,7 +178,7 @@ std::optional<std::int32_t> EventLoop<Dimension, Scalar, has_surfaces>::change(
         const auto before = surfaces.control(surface, now_);
         const auto after = control_after(before, action, time);
         surfaces.set_control(surface, after, now_);
-        // Disks that the surface has let through may still overlap it.
+        // Bodies that the surface has let through may still overlap it.
         const bool opens = sets_opening(action);
         const bool let_through = before.is_open || (!opens && membrane_of(before.behaviour));
         if (const auto one = let_through && !after.is_open ? first_in(surface) : std::nullopt) {

@@ -5,33 +5,33 @@
 namespace carom {
 namespace {
 
-// Prefetch distances: disks are prefetched this many buckets ahead (half an event each); their
-// partners, the cells around both, and the disks in these cells follow this many disks later. Each
-// distance exceeds the latency of memory.
+// Prefetch distances: bodies are prefetched this many buckets ahead (half an event each); their
+// partners, the cells around both, and the bodies in these cells follow this many bodies later.
+// Each distance exceeds the latency of memory.
 constexpr std::int32_t buckets_ahead = 48;
 constexpr std::uint32_t partner_after = 2;
 constexpr std::uint32_t cells_after = 4;
 constexpr std::uint32_t neighbours_after = 6;
 
-// If more disks than this are waiting, two are prefetched at a time. The maximum number waiting
-// leaves room in the ring buffer for the six disks before them.
+// If more bodies than this are waiting, two are prefetched at a time. The maximum number waiting
+// leaves room in the ring buffer for the six bodies before them.
 constexpr std::uint32_t many_waiting = 6;
 constexpr std::uint32_t most_waiting = 32;
 
 }  // namespace
 
 template <typename Geometry>
-void FetchAhead<Geometry>::ask(const Bodies& bodies, Geometry& plane, EventQueue& queue) {
+void FetchAhead<Geometry>::ask(const Bodies& bodies, Geometry& geometry, EventQueue& queue) {
     look_ahead(bodies, queue);
     // when a year begins none of its buckets has been looked at
     if (queue.buckets_looked_at() < buckets_ahead / 2) look_ahead(bodies, queue);
     if (begin_ == end_) return;
     if (end_ - begin_ > most_waiting) begin_ = end_ - most_waiting;
-    fetch(bodies, plane, queue);
-    if (end_ - begin_ > many_waiting) fetch(bodies, plane, queue);
+    fetch(bodies, geometry, queue);
+    if (end_ - begin_ > many_waiting) fetch(bodies, geometry, queue);
 }
 
-// Numbers above those of the disks belong to events of surfaces, which need no disk.
+// Numbers above those of the bodies belong to events of surfaces, which need no body.
 template <typename Geometry>
 void FetchAhead<Geometry>::look_ahead(const Bodies& bodies, EventQueue& queue) {
     std::array<std::int32_t, 3> who;
@@ -42,16 +42,16 @@ void FetchAhead<Geometry>::look_ahead(const Bodies& bodies, EventQueue& queue) {
 }
 
 template <typename Geometry>
-void FetchAhead<Geometry>::fetch(const Bodies& bodies, Geometry& plane, EventQueue& queue) {
+void FetchAhead<Geometry>::fetch(const Bodies& bodies, Geometry& geometry, EventQueue& queue) {
     const std::uint32_t k = begin_++;
-    plane.fetch_body_ahead(bodies, coming(k));
+    geometry.fetch_body_ahead(bodies, coming(k));
     const std::int32_t second = coming(k - partner_after);
     const std::int32_t partner = Geometry::partner_ahead(bodies, second, queue.time(second));
-    plane.fetch_body_ahead(bodies, partner);
+    geometry.fetch_body_ahead(bodies, partner);
     queue.fetch(partner);
     const std::int32_t third = coming(k - cells_after), last = coming(k - neighbours_after);
-    plane.fetch_cells_ahead(bodies, third, queue.time(third));
-    plane.fetch_neighbours_ahead(bodies, last, queue.time(last));
+    geometry.fetch_cells_ahead(bodies, third, queue.time(third));
+    geometry.fetch_neighbours_ahead(bodies, last, queue.time(last));
 }
 
 template class FetchAhead<PlainSpace<2>>;

@@ -21,8 +21,8 @@ class FetchAhead {
     using Bodies = typename Geometry::Bodies;
 
     /// To be called for each event. Does nothing for a few bodies, which stay in the caches.
-    void step(const Bodies& bodies, Geometry& plane, EventQueue& queue) {
-        if (bodies.size() >= least) ask(bodies, plane, queue);
+    void step(const Bodies& bodies, Geometry& geometry, EventQueue& queue) {
+        if (bodies.size() >= least) ask(bodies, geometry, queue);
     }
 
   private:
@@ -30,8 +30,8 @@ class FetchAhead {
 
     void look_ahead(const Bodies& bodies, EventQueue& queue);  ///< adds the bodies of the next
                                                                ///< events to the ring
-    void fetch(const Bodies& bodies, Geometry& plane, EventQueue& queue);
-    void ask(const Bodies& bodies, Geometry& plane, EventQueue& queue);
+    void fetch(const Bodies& bodies, Geometry& geometry, EventQueue& queue);
+    void ask(const Bodies& bodies, Geometry& geometry, EventQueue& queue);
     std::int32_t& coming(std::uint32_t k) { return coming_[k % coming_.size()]; }
 
     std::array<std::int32_t, 64> coming_{};  ///< ring buffer of the bodies of the next events

@@ -52,7 +52,7 @@ class Line : public PlainBodies<BodyType> {
     /// Sets up the line for bodies that are in order and at time 0.
     void enter(Bodies& bodies);
 
-    /// As the functions of Plane.
+    /// As the functions of PlainSpace.
     Scalar predict(Bodies& bodies, std::int32_t i, const Scalar& now);
     Scalar predict_after_crossing(Bodies& bodies, std::int32_t i, int, const Scalar& now) {
         return predict(bodies, i, now);

@@ -1,5 +1,5 @@
-// The state of a multiprecision disk in the event loop, together with its values rounded to
-// doubles.
+// The state of a multiprecision disk or sphere in the event loop, together with its values rounded
+// to doubles.
 #pragma once
 
 #include <array>

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "physics/collision/contact_rule.h"
+#include "physics/plane/images.h"
 
 namespace carom {
 namespace {
@@ -332,7 +333,7 @@ void MpSpace<Dimension>::set_square(Real& square, const std::array<Real, axes>& 
     }
 }
 
-// r . v into approach_; a_, b_ and c_ are overwritten.
+// Stores r . v in approach_; c_ is overwritten.
 template <int Dimension>
 void MpSpace<Dimension>::set_approach() {
     approach_.set_product(r_[0], v_[0]);
@@ -342,7 +343,7 @@ void MpSpace<Dimension>::set_approach() {
     }
 }
 
-// Subtracts |r x v|^2 from b_; v_ or c_ and time_ are overwritten.
+// Subtracts |r x v|^2 from b_; c_ and time_ are overwritten.
 template <int Dimension>
 void MpSpace<Dimension>::subtract_miss_square() {
     const auto subtract = [&](std::size_t k, std::size_t l) {
@@ -368,7 +369,7 @@ void MpSpace<Dimension>::separate(const Body& a, const Body& b, const Point& shi
     set_approach();
 }
 
-// As PairSearch::separation_at_contact(): r_, v_ and approach_ of the image of b in contact with a.
+// As PairSearch::motion_at_contact(): r_, v_ and approach_ of the image of b in contact with a.
 template <int Dimension>
 bool MpSpace<Dimension>::find_image(const Body& a, const Body& b) {
     std::array<std::array<double, 2>, axes> shifts{};
@@ -389,23 +390,16 @@ bool MpSpace<Dimension>::find_image(const Body& a, const Body& b) {
     if (are_several) {
         const double sigma = a.radius + b.radius;
         Real least = never<double>;
-        // Each bit of a combination chooses one of the two images along an axis.
-        for (unsigned which = 0; which < 1U << axes; ++which) {
+        for_each_image(grid_.narrow(), [&](const std::array<std::size_t, axes>& which) {
             Point shift;
-            bool exists = true;
-            for (std::size_t axis = 0; axis < axes; ++axis) {
-                const unsigned second = which >> (axes - 1 - axis) & 1U;
-                exists = exists && (second == 0 || grid_.narrow()[axis]);
-                shift[axis] = shifts[axis][second];
-            }
-            if (!exists) continue;
+            for (std::size_t axis = 0; axis < axes; ++axis) shift[axis] = shifts[axis][which[axis]];
             separate(a, b, shift);
-            if (approach_.sign() >= 0) continue;
+            if (approach_.sign() >= 0) return;
             const Real misfit = abs(scalar_product(r_, r_) - as_precise_as(r_[0], sigma) * sigma);
-            if (misfit >= least) continue;
+            if (misfit >= least) return;
             least = misfit;
             best = shift;
-        }
+        });
         if (!least.is_finite()) return false;
     }
     separate(a, b, best);

@@ -78,7 +78,7 @@ class MpSpace : public PlainBodies<MpBody<Dimension>> {
         double soonest;  ///< time from now before which it is surely not reached
     };
 
-    Viewer viewer(const Body& disk, const Real& now);
+    Viewer viewer(const Body& body, const Real& now);
     double soonest_contact(const Viewer& a, const Body& other, const Point& shift) const;
     void consider(const Bodies& bodies, const Body& a, const Candidate& candidate, const Real& now,
                   First& first);

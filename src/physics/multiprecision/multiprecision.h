@@ -57,10 +57,10 @@ class Real {
         if (value_->_mpfr_d != nullptr) mpfr_clear(value_);
     }
 
-    /// Converts a decimal number to the nearest number with this many bits.
+    /// Converts a decimal number to the nearest number with this many bits; an empty text is 0.
     static Real from_text(const std::string& decimal, int bits) {
         Real number(0.0, bits);
-        mpfr_set_str(number.value_, decimal.c_str(), 10, MPFR_RNDN);
+        if (!decimal.empty()) mpfr_set_str(number.value_, decimal.c_str(), 10, MPFR_RNDN);
         return number;
     }
 

@@ -29,9 +29,9 @@ double least_cell(double content, double count, double diameter) {
     return one_each / edge_of<Dimension>(cells_per_particle);
 }
 
-// Estimated number of cells and pairs examined per unit of time, in arbitrary units, if disks with
-// radii up to `small` are in the fine grid. Larger disks have more neighbours and search more
-// cells, in proportion to their size.
+// Estimated number of cells and pairs examined per unit of time, in arbitrary units, if
+// particles with radii up to `small` are in the fine grid. Larger ones have more neighbours and
+// search more cells, in proportion to their size.
 template <int Dimension>
 double expected_work(const Eigen::ArrayXd& radii, double small, double content) {
     const double around = power(3.0, Dimension);  // a cell and its neighbours
@@ -79,9 +79,9 @@ int cells_along(double length, double least) {
     return static_cast<int>(std::clamp(cells, 1.0, 65535.0));
 }
 
-// Disks in two cells separated by one other cell must not touch even if both extend beyond their
-// cells. Along a periodic axis disks in neighbouring cells must also be less than half the box
-// apart, so that the nearest image is the relevant one.
+// Particles in two cells separated by one other cell must not touch even if both extend beyond
+// their cells. Along a periodic axis those in neighbouring cells must also be less than half the
+// box apart, so that the nearest image is the relevant one.
 double overhang_of(double cell, double widest_pair, double length, bool periodic) {
     const double free = 0.5 * (cell - widest_pair * wider);
     const double near = periodic ? 0.25 * length / wider - cell : free;
@@ -99,7 +99,7 @@ std::vector<std::int32_t> merge(int fine, double fine_length, double least) {
     return merged;
 }
 
-// Whether for two disks in neighbouring cells, fine or coarse, the nearest image is always the
+// Whether for two particles in neighbouring cells, fine or coarse, the nearest image is always the
 // relevant one. The overhang is given as a fraction of a cell.
 bool nearest_is_meant(const std::vector<std::int32_t>& coarse, double overhang, bool periodic,
                       bool has_large) {
@@ -167,9 +167,7 @@ CellGrid<Dimension>::CellGrid(const Box& box, const Eigen::ArrayXd& radii) {
 template <int Dimension>
 CellOf<Dimension> CellGrid<Dimension>::cell_at(const std::array<double, axes>& x) const {
     Cell cell;
-    for (std::size_t a = 0; a < axes; ++a)
-        cell[a] = static_cast<std::uint16_t>(
-            std::clamp(std::floor(x[a] / cell_size_[a]), 0.0, static_cast<double>(last_cell_[a])));
+    for (std::size_t a = 0; a < axes; ++a) cell[a] = cell_along(a, x[a]);
     return cell;
 }
 

@@ -1,8 +1,8 @@
 // The cell list: a grid of cells over the box, each with a list of the particles whose centres lie
-// in it. Small disks search the cells around their own, so a cell is at least as wide as the
-// contact distance of two small disks. Disks much larger than the others would require cells too
-// wide to be useful. They are listed in a separate coarse grid, which every disk searches; they
-// themselves search for small disks only in the ring of cells that their rim can touch.
+// in it. Small particles search the cells around their own, so a cell is at least as wide as the
+// contact distance of two small ones. Particles much larger than the others would require cells too
+// wide to be useful. They are listed in a separate coarse grid, which every particle searches; they
+// themselves search for small ones only in the ring or shell of cells that their rim can touch.
 //
 // A cell has room for three particles; further ones (points may crowd together) are chained behind
 // them. All three are returned by one copy of 16 bytes without a branch, because this is the
@@ -10,10 +10,10 @@
 // crossing; it is never recomputed from the position, whose round-off could put the particle into
 // the wrong cell.
 //
-// Where cells are wider than necessary, neighbouring cells overlap: a disk may extend beyond the
-// side of its cell by half of the excess width without another disk touching it undetected. A disk
-// that turns back near a border then crosses it less often, which saves a fifth of the time at a
-// packing fraction of 0.2.
+// Where cells are wider than necessary, neighbouring cells overlap: a particle may extend beyond
+// the side of its cell by half of the excess width without another touching it undetected. A
+// particle that turns back near a border then crosses it less often, which saves a fifth of the
+// time of disks at a packing fraction of 0.2.
 #pragma once
 
 #include <Eigen/Core>
@@ -49,16 +49,20 @@ class CellGrid {
     const std::array<int, axes>& last_cell() const { return last_cell_; }
     const std::array<double, axes>& cell_size() const { return cell_size_; }
 
-    /// For each axis, whether the box is periodic and so narrow that two images of one disk may
-    /// touch another disk.
+    /// For each axis, whether the box is periodic and so narrow that two images of one particle may
+    /// touch another.
     const std::array<bool, axes>& narrow() const { return narrow_; }
 
-    /// For each axis, how far the centre of a disk may lie beyond a side of its cell before the
-    /// disk must move to the next cell.
+    /// For each axis, how far the centre of a particle may lie beyond a side of its cell before the
+    /// particle must move to the next cell.
     const std::array<double, axes>& overhang() const { return overhang_; }
 
-    /// The cell of a position inside the box.
+    /// The cell of a position, and its number along one axis; outside the box the outermost one.
     Cell cell_at(const std::array<double, axes>& x) const;
+    std::uint16_t cell_along(std::size_t axis, double x) const {
+        return static_cast<std::uint16_t>(std::clamp(std::floor(x / cell_size_[axis]), 0.0,
+                                                     static_cast<double>(last_cell_[axis])));
+    }
 
     /// The cell beyond a side of a cell (numbered as Side: left 0, right 1, bottom 2, top 3, ...);
     /// in a periodic box the first cell follows the last. Branchless, because the processor could
@@ -117,9 +121,8 @@ class CellGrid {
     };
 
     /// Calls f(slots, shift) for every cell with particles that could touch one of `radius` in
-    /// `cell` while both stay in their cells. Adding the shift (0 or plus or minus the
-    /// box size) to their positions gives the relevant images. The disk itself is among those
-    /// found.
+    /// `cell` while both stay in their cells. Adding the shift (0 or plus or minus the box size) to
+    /// their positions gives the relevant images. The particle itself is among those found.
     template <typename Function>
     void for_each_near(double radius, Cell cell, Function&& f) const;
 
@@ -144,8 +147,8 @@ class CellGrid {
     static constexpr std::size_t spare = Dimension == 2 ? 64 : 192;
     void append(const Slots& slots, std::vector<std::int32_t>& list, std::size_t& size) const;
 
-    /// Whether this is the simple case for a disk of `radius`: all disks that it may touch are in
-    /// the surrounding cells, and only their nearest images matter. Requires a small disk and not
+    /// Whether this is the simple case for a particle of `radius`: all that it may touch are in the
+    /// surrounding cells, and only their nearest images matter. Requires a small particle and not
     /// too few cells along a periodic axis.
     bool plain(double radius) const { return plain_ && radius <= small_radius_; }
 
@@ -165,7 +168,7 @@ class CellGrid {
     /// plain().
     void append_around(Cell cell, std::vector<std::int32_t>& list, std::size_t& size) const;
 
-    /// The same, but of the small particles only those that came into range when a disk crossed
+    /// The same, but of the small particles only those that came into range when one crossed
     /// `side` of its former cell into `cell`; only if plain().
     void append_newly_around(Cell cell, int side, std::vector<std::int32_t>& list,
                              std::size_t& size) const;
@@ -209,25 +212,24 @@ class CellGrid {
     /// A cell of a lattice, by its place along each axis, which may lie beyond the ends.
     using Place = std::array<std::int32_t, axes>;
 
-    std::size_t fine_index(Cell cell) const {
-        std::int64_t index = cell[0];
-        for (std::size_t a = 1; a < axes; ++a) index += fine_.stride[a] * cell[a];
-        return static_cast<std::size_t>(index);
+    static Place fine_place(Cell cell) {
+        Place place;
+        for (std::size_t a = 0; a < axes; ++a) place[a] = cell[a];
+        return place;
     }
     Place coarse_place(Cell cell) const {
         Place place;
         for (std::size_t a = 0; a < axes; ++a) place[a] = coarse_cell_[a][cell[a]];
         return place;
     }
-    std::size_t coarse_index(Cell cell) const {
-        const Place place = coarse_place(cell);
+    static std::size_t index_of(const Lattice& lattice, const Place& place) {
         std::int64_t index = place[0];
-        for (std::size_t a = 1; a < axes; ++a) index += coarse_.stride[a] * place[a];
+        for (std::size_t a = 1; a < axes; ++a) index += lattice.stride[a] * place[a];
         return static_cast<std::size_t>(index);
     }
     Slots& slots_of(double radius, Cell cell) {
-        return radius > small_radius_ ? coarse_slots_[coarse_index(cell)]
-                                      : fine_slots_[fine_index(cell)];
+        return radius > small_radius_ ? coarse_slots_[index_of(coarse_, coarse_place(cell))]
+                                      : fine_slots_[index_of(fine_, fine_place(cell))];
     }
     void append_large_around(Cell cell, std::vector<std::int32_t>& list, std::size_t& size) const;
     template <std::size_t Firsts, std::size_t Seconds>
@@ -259,7 +261,7 @@ class CellGrid {
     std::array<int, axes> last_cell_{};
     std::array<bool, axes> narrow_{};
     std::array<double, axes> cell_size_{}, overhang_{};
-    double small_radius_ = 0.0;  ///< disks with a larger one are in the coarse grid
+    double small_radius_ = 0.0;  ///< particles with a larger one are in the coarse grid
     bool has_large_ = false;
     bool plain_ = false;
     std::array<Inner, axes> inner_{};
@@ -347,8 +349,8 @@ template <int Dimension>
     if constexpr (Dimension == 2) {
         append_cells<1, 3>(ahead, around[1 - axis], list, size);
     } else {
-        // the axes across, the one along which cells follow each other in memory first
-        const std::size_t second = axis == 0 ? 1 : 0, third = axis == 2 ? 1 : 2;
+        // the lower one first, along which cells are closer to each other in memory
+        const auto [second, third] = other_axes(axis);
         const auto rows = sums_of<1, 3>(ahead, around[third]);
         append_cells<3, 3>(rows.data(), around[second], list, size);
     }
@@ -430,12 +432,10 @@ template <int Dimension>
 template <typename Function>
 void CellGrid<Dimension>::for_each_near(double radius, Cell cell, Function&& f) const {
     if (has_large_) for_each_around(coarse_slots_, coarse_, coarse_place(cell), f);
-    Place center;
-    for (std::size_t a = 0; a < axes; ++a) center[a] = cell[a];
     if (radius > small_radius_)
-        for_each_at_rim<axes - 1>(radius, center, Found(), 0.0, 0.0, f);
+        for_each_at_rim<axes - 1>(radius, fine_place(cell), Found(), 0.0, 0.0, f);
     else
-        for_each_around(fine_slots_, fine_, center, f);
+        for_each_around(fine_slots_, fine_, fine_place(cell), f);
 }
 
 template <int Dimension>
@@ -464,9 +464,7 @@ void CellGrid<Dimension>::for_each_newly_near(double radius, Cell cell, int side
     const auto range = [&](std::size_t a) {
         return a == axis ? std::array{ahead, ahead} : std::array<std::int32_t, 2>{-1, 1};
     };
-    Place center;
-    for (std::size_t a = 0; a < axes; ++a) center[a] = cell[a];
-    for_each_within<axes - 1>(fine_slots_, fine_, center, Found(), range, f);
+    for_each_within<axes - 1>(fine_slots_, fine_, fine_place(cell), Found(), range, f);
 }
 
 template <int Dimension>

@@ -27,7 +27,7 @@ struct Scope {
     static constexpr std::size_t axes = Body::axes;
     const Body* bodies;
     const BodyProperties& properties;
-    const Pairing<static_cast<int>(axes)>& pairing;
+    const PairingOf<Body>& pairing;
     const std::int32_t* near;
     double now;
     /// Earlier than now by more than the rounding error of a contact time.
@@ -337,10 +337,11 @@ template <typename Scope, typename... Arguments>
 
 // Bodies that fly straight, or that may fall, with or without gravity.
 template <typename Body, typename... Arguments>
-[[gnu::always_inline]] inline auto search_bodies(
-    const LargeVector<Body>& bodies, const BodyProperties& properties,
-    const Pairing<static_cast<int>(Body::axes)>& pairing, const std::int32_t* near, double now,
-    Arguments&&... arguments) {
+[[gnu::always_inline]] inline auto search_bodies(const LargeVector<Body>& bodies,
+                                                 const BodyProperties& properties,
+                                                 const PairingOf<Body>& pairing,
+                                                 const std::int32_t* near, double now,
+                                                 Arguments&&... arguments) {
     if constexpr (Falls<Body>) {
         bool falls = false;
         for (const double g : pairing.gravity) falls |= g != 0.0;
@@ -377,10 +378,11 @@ template struct Pairing<2>;
 template struct Pairing<3>;
 
 template <typename Body>
-CAROM_FOR_PROCESSORS_WITH_FMA bool search_contact(
-    const LargeVector<Body>& bodies, const BodyProperties& properties, std::int32_t i, double now,
-    const std::int32_t* near, std::size_t count,
-    const Pairing<static_cast<int>(Body::axes)>& pairing, FirstContact& first) {
+CAROM_FOR_PROCESSORS_WITH_FMA bool search_contact(const LargeVector<Body>& bodies,
+                                                  const BodyProperties& properties, std::int32_t i,
+                                                  double now, const std::int32_t* near,
+                                                  std::size_t count, const PairingOf<Body>& pairing,
+                                                  FirstContact& first) {
     return search_bodies(bodies, properties, pairing, near, now, i, count, first);
 }
 
@@ -388,21 +390,19 @@ template <typename Body>
 CAROM_FOR_PROCESSORS_WITH_FMA bool search_two_contacts(
     const LargeVector<Body>& bodies, const BodyProperties& properties,
     std::array<std::int32_t, 2> both, double now, const std::int32_t* near, std::size_t split,
-    std::size_t count, const Pairing<static_cast<int>(Body::axes)>& pairing,
-    std::array<FirstContact, 2>& firsts) {
+    std::size_t count, const PairingOf<Body>& pairing, std::array<FirstContact, 2>& firsts) {
     return search_bodies(bodies, properties, pairing, near, now, both, split, count, firsts);
 }
 
 // For both kinds of bodies of doubles.
-#define CAROM_SEARCHES(...)                                                                    \
-    template bool search_contact<__VA_ARGS__>(                                                 \
-        const LargeVector<__VA_ARGS__>&, const BodyProperties&, std::int32_t, double,          \
-        const std::int32_t*, std::size_t, const Pairing<static_cast<int>(__VA_ARGS__::axes)>&, \
-        FirstContact&);                                                                        \
-    template bool search_two_contacts<__VA_ARGS__>(                                            \
-        const LargeVector<__VA_ARGS__>&, const BodyProperties&, std::array<std::int32_t, 2>,   \
-        double, const std::int32_t*, std::size_t, std::size_t,                                 \
-        const Pairing<static_cast<int>(__VA_ARGS__::axes)>&, std::array<FirstContact, 2>&)
+#define CAROM_SEARCHES(...)                                                                   \
+    template bool search_contact<__VA_ARGS__>(                                                \
+        const LargeVector<__VA_ARGS__>&, const BodyProperties&, std::int32_t, double,         \
+        const std::int32_t*, std::size_t, const PairingOf<__VA_ARGS__>&, FirstContact&);      \
+    template bool search_two_contacts<__VA_ARGS__>(                                           \
+        const LargeVector<__VA_ARGS__>&, const BodyProperties&, std::array<std::int32_t, 2>,  \
+        double, const std::int32_t*, std::size_t, std::size_t, const PairingOf<__VA_ARGS__>&, \
+        std::array<FirstContact, 2>&)
 
 CAROM_SEARCHES(BodyState<2>);
 CAROM_SEARCHES(BodyState<3>);

@@ -38,6 +38,9 @@ struct Pairing {
     static Pairing shifted(const Vector& shift);
 };
 
+template <typename Body>
+using PairingOf = Pairing<static_cast<int>(Body::axes)>;
+
 /// A predicted contact, in a form that a search can replace by an earlier one without branches.
 struct FirstContact {
     double time = never<double>;
@@ -64,7 +67,7 @@ inline constexpr std::size_t most_searched = 64;
 template <typename Body>
 bool search_contact(const LargeVector<Body>& bodies, const BodyProperties& properties,
                     std::int32_t i, double now, const std::int32_t* near, std::size_t count,
-                    const Pairing<static_cast<int>(Body::axes)>& pairing, FirstContact& first);
+                    const PairingOf<Body>& pairing, FirstContact& first);
 
 /// The same for two bodies, at the same time, that cannot be each other's next partner: the first
 /// `split` entries of `near` belong to the first and the others to the second, each a whole number
@@ -73,8 +76,7 @@ bool search_contact(const LargeVector<Body>& bodies, const BodyProperties& prope
 template <typename Body>
 bool search_two_contacts(const LargeVector<Body>& bodies, const BodyProperties& properties,
                          std::array<std::int32_t, 2> both, double now, const std::int32_t* near,
-                         std::size_t split, std::size_t count,
-                         const Pairing<static_cast<int>(Body::axes)>& pairing,
+                         std::size_t split, std::size_t count, const PairingOf<Body>& pairing,
                          std::array<FirstContact, 2>& firsts);
 
 }  // namespace carom

@@ -62,6 +62,15 @@ inline void advance_body(BodyState<Dimension>& b, double now) {
     b.time = now;
 }
 
+/// Adds a multiple of a vector to the velocity.
+template <int Dimension>
+[[gnu::always_inline]] inline void accelerate(
+    BodyState<Dimension>& b, double factor,
+    const std::array<double, BodyState<Dimension>::axes>& r) {
+    store_two(load_two(b.v.data()) + factor * TwoLanes{r[0], r[1]}, b.v.data());
+    if constexpr (Dimension == 3) b.v[2] += factor * r[2];
+}
+
 template <int Dimension>
 using BodyStates = LargeVector<BodyState<Dimension>>;
 

@@ -31,7 +31,7 @@ struct PreciseBodyState {
 };
 
 /// In its prediction a partner < 0 denotes barrier -1 - partner. The members that a contact search
-/// needs for most disks come first, in one cache line; the search assumes that all disks fall.
+/// needs for most bodies come first, in one cache line; the search assumes that all bodies fall.
 template <typename Scalar, int Dimension>
 using FallingState = std::conditional_t<std::is_same_v<Scalar, double>, BodyState<Dimension>,
                                         PreciseBodyState<Scalar, Dimension>>;
@@ -54,9 +54,6 @@ struct FallingBody : FallingState<Scalar, Dimension> {
         archive(a, radius, inverse_mass, species, turns, passing, is_at_rest);
     }
 };
-
-template <int Dimension>
-using FallingBodies = LargeVector<FallingBody<double, Dimension>>;
 
 /// Position and velocity of a body with this acceleration at a time, computed in pairs as the body
 /// stores them (disk_state.h).
@@ -85,16 +82,11 @@ inline void advance_body(BodyState<Dimension>& b, double now,
     b.time = now;
 }
 
-/// Adds a multiple of a vector to the velocity.
+/// As that of BodyState.
 template <typename Scalar, int Dimension>
-inline void accelerate(FallingBody<Scalar, Dimension>& b, const Scalar& factor,
+inline void accelerate(PreciseBodyState<Scalar, Dimension>& b, const Scalar& factor,
                        const std::array<Scalar, BodyState<Dimension>::axes>& r) {
-    if constexpr (std::is_same_v<Scalar, double>) {
-        store_two(load_two(b.v.data()) + factor * TwoLanes{r[0], r[1]}, b.v.data());
-        if constexpr (Dimension == 3) b.v[2] += factor * r[2];
-    } else {
-        for (std::size_t k = 0; k < r.size(); ++k) b.v[k] += factor * r[k];
-    }
+    for (std::size_t k = 0; k < r.size(); ++k) b.v[k] += factor * r[k];
 }
 
 /// A body in doubles, advanced to the present.

@@ -13,10 +13,12 @@
 #include <vector>
 
 #include "physics/collision/coincidences.h"
+#include "physics/collision/contact_rule.h"
 #include "physics/collision/loop_types.h"
 #include "physics/plane/cell_grid.h"
 #include "physics/plane/contact_search.h"
 #include "physics/plane/disk_state.h"
+#include "physics/plane/images.h"
 #include "physics/plane/order_of_cells.h"
 
 namespace carom {
@@ -33,13 +35,14 @@ class PairSearch {
     using Grid = CellGrid<dimension>;
     using Cell = CellOf<dimension>;
     using Point = std::array<double, axes>;
+    using Pairing = carom::Pairing<dimension>;
 
     PairSearch(const Box& box, const Particles& particles, const Point& gravity)
         : box_(box),
           grid_(box, particles.radius),
           properties_(particles),
-          nearest_(Pairing<dimension>::nearest(box)),
-          only_(Pairing<dimension>::shifted({})) {
+          nearest_(Pairing::nearest(box)),
+          only_(Pairing::shifted({})) {
         if (properties_.alike()) nearest_.sigma = only_.sigma = 2.0 * particles.radius[0];
         nearest_.gravity = only_.gravity = gravity;
         for (std::size_t a = 0; a < axes; ++a)
@@ -103,8 +106,8 @@ class PairSearch {
     }
 
     /// Moves the body to the next cell.
-    template <typename Scalar>
-    void cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now);
+    template <typename Time>
+    void cross(Bodies& bodies, std::int32_t i, int side, const Time& now);
 
     /// Prefetch the data needed for the event of body i at `time`, to be called in this order, each
     /// after the previous data have arrived: the body itself; its partner, by the same call; the
@@ -121,7 +124,9 @@ class PairSearch {
     static std::int32_t partner_ahead(const Bodies& bodies, std::int32_t i, double time);
 
   protected:
-    static constexpr bool of_doubles = std::is_base_of_v<BodyState<dimension>, Body>;
+    using Scalar = typename decltype(Body::x)::value_type;
+    using Motion = RelativeMotion<Scalar, axes>;
+    static constexpr bool of_doubles = std::is_same_v<Scalar, double>;
     static auto& at(auto& bodies, std::int32_t i) { return bodies[static_cast<std::size_t>(i)]; }
 
     double radius_of(std::int32_t i) const { return properties_[i].radius; }
@@ -137,12 +142,9 @@ class PairSearch {
     FirstContact first_contact_after_crossing(const Bodies& bodies, std::int32_t i, int side,
                                               double now);
 
-    /// The vector from a to the image of b that is in contact with it, with both at the same time:
-    /// the nearest image, or in a narrow periodic box, where two images may touch a, the one that a
-    /// approaches. Returns false if a approaches none.
-    template <typename Scalar>
-    bool separation_at_contact(const Body& a, const Body& b, double sigma,
-                               std::array<Scalar, axes>& r) const;
+    /// Changes the velocities of two bodies in contact that have been advanced to the same time.
+    /// Returns false if they do not approach (a grazing contact, due to round-off).
+    bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<dimension>& contact) const;
 
     /// Creates a new grid for all bodies over the part of space that begins at `origin` and has the
     /// size and walls of `part`. The bodies must be entered again.
@@ -169,21 +171,24 @@ class PairSearch {
     static int cell_side(const Prediction& prediction) {
         return static_cast<int>(prediction.border - first_cell_side);
     }
-    template <typename Scalar>
-    bool separation_of_images(const Body& a, const Body& b, double sigma,
-                              std::array<Scalar, axes>& r) const;
+    /// The motion, relative to a, of the image of b that is in contact with it, with both at the
+    /// same time: the nearest image, or in a narrow periodic box, where two images may touch a, the
+    /// one that a approaches. Returns false if a approaches none.
+    bool motion_at_contact(const Body& a, const Body& b, double sigma, Motion& m) const;
+    /// Replaces the separation by that of this image.
+    bool choose_image(double sigma, Motion& m) const;
     void fill_grid(const Bodies& bodies);
     void fill_up_lanes(std::int32_t i);
-    bool search(const Bodies& bodies, std::int32_t i, double now, const Pairing<dimension>& pairing,
+    bool search(const Bodies& bodies, std::int32_t i, double now, const Pairing& pairing,
                 FirstContact& first);
     auto search_slots(const Bodies& bodies, std::int32_t i, double now, FirstContact& first,
                       bool& may_coincide);
-    const Pairing<dimension>& pairing_near(Cell cell) const;
+    const Pairing& pairing_near(Cell cell) const;
     template <std::size_t usual>
     void fetch_listed(const Bodies& bodies);
 
-    Pairing<dimension> nearest_, only_;  ///< for several images, and for a single one
-    Point surely_nearest_{};             ///< an image closer than this is the one in contact
+    Pairing nearest_, only_;  ///< for several images, and for a single one
+    Point surely_nearest_{};  ///< an image closer than this is the one in contact
     std::size_t near_count_ = 0;
 };
 
@@ -195,8 +200,8 @@ void PairSearch<Body>::fill_grid(const Bodies& bodies) {
 }
 
 template <typename Body>
-template <typename Scalar>
-void PairSearch<Body>::cross(Bodies& bodies, std::int32_t i, int side, const Scalar& now) {
+template <typename Time>
+void PairSearch<Body>::cross(Bodies& bodies, std::int32_t i, int side, const Time& now) {
     Body& body = at(bodies, i);
     const Cell from = body.cell;
     body.cell = grid_.next_cell(from, side);
@@ -210,52 +215,64 @@ void PairSearch<Body>::cross(Bodies& bodies, std::int32_t i, int side, const Sca
 }
 
 template <typename Body>
-template <typename Scalar>
-inline bool PairSearch<Body>::separation_at_contact(const Body& a, const Body& b, double sigma,
-                                                    std::array<Scalar, axes>& r) const {
-    std::array<Scalar, axes> v;
+[[gnu::always_inline]] inline bool PairSearch<Body>::motion_at_contact(const Body& a, const Body& b,
+                                                                       double sigma,
+                                                                       Motion& m) const {
     bool is_nearest = true;
-    for (std::size_t axis = 0; axis < axes; ++axis) {
-        r[axis] = b.x[axis] - a.x[axis];
-        v[axis] = b.v[axis] - a.v[axis];
-        is_nearest = is_nearest && std::abs(static_cast<double>(r[axis])) <= surely_nearest_[axis];
+    for (std::size_t k = 0; k < axes; ++k) {
+        m.r[k] = b.x[k] - a.x[k];
+        m.v[k] = b.v[k] - a.v[k];
+        is_nearest = is_nearest && std::abs(static_cast<double>(m.r[k])) <= surely_nearest_[k];
     }
     if (is_nearest) [[likely]]
-        return scalar_product(r, v) < 0.0;
-    return separation_of_images(a, b, sigma, r);
+        return scalar_product(m.r, m.v) < 0.0;
+    return choose_image(sigma, m);
 }
 
 template <typename Body>
-template <typename Scalar>
-bool PairSearch<Body>::separation_of_images(const Body& a, const Body& b, double sigma,
-                                            std::array<Scalar, axes>& r) const {
+bool PairSearch<Body>::choose_image(double sigma, Motion& m) const {
     std::array<std::array<Scalar, 2>, axes> along{};
-    std::array<Scalar, axes> v;
     for (std::size_t axis = 0; axis < axes; ++axis) {
-        v[axis] = b.v[axis] - a.v[axis];
-        const Scalar plain = b.x[axis] - a.x[axis];
         const double size = box_.length(axis);
-        const Scalar nearest = plain - size * box_.turns(axis, static_cast<double>(plain));
+        const Scalar nearest = m.r[axis] - size * box_.turns(axis, static_cast<double>(m.r[axis]));
         along[axis] = {nearest, nearest > 0.0 ? Scalar(nearest - size) : Scalar(nearest + size)};
     }
     double best = never<double>;
-    // Each bit of a combination chooses one of the two images along an axis.
-    for (unsigned which = 0; which < 1U << axes; ++which) {
+    for_each_image(grid_.narrow(), [&](const std::array<std::size_t, axes>& which) {
         std::array<Scalar, axes> image;
-        bool exists = true;
-        for (std::size_t axis = 0; axis < axes; ++axis) {
-            const unsigned second = which >> (axes - 1 - axis) & 1U;
-            exists = exists && (second == 0 || grid_.narrow()[axis]);
-            image[axis] = along[axis][second];
-        }
-        if (!exists || !(scalar_product(image, v) < 0.0)) continue;
+        for (std::size_t axis = 0; axis < axes; ++axis) image[axis] = along[axis][which[axis]];
+        if (!(scalar_product(image, m.v) < 0.0)) return;
         const double misfit =
             std::abs(static_cast<double>(Scalar(scalar_product(image, image) - sigma * sigma)));
-        if (misfit >= best) continue;
+        if (misfit >= best) return;
         best = misfit;
-        r = image;
-    }
+        m.r = image;
+    });
     return std::isfinite(best);
+}
+
+template <typename Body>
+[[gnu::always_inline]] inline bool PairSearch<Body>::collide(Bodies& bodies, std::int32_t i,
+                                                             std::int32_t j,
+                                                             Contact<dimension>& contact) const {
+    Body &a = at(bodies, i), &b = at(bodies, j);
+    const Properties &first = properties_[i], &second = properties_[j];
+    const double sigma = first.radius + second.radius;
+    Motion m;
+    if (!motion_at_contact(a, b, sigma, m)) return false;
+    const auto precise = [&](double number) -> Scalar {
+        if constexpr (of_doubles)
+            return number;
+        else
+            return as_precise_as(m.r[0], number);
+    };
+    const Scalar first_w = precise(first.inverse_mass), second_w = precise(second.inverse_mass);
+    static_assert(ContactRule::keeps_species);
+    const Unrounded<Scalar> factor = ContactRule::impulse(m, first_w, second_w);
+    accelerate(a, product_of(first_w, factor), m.r);
+    accelerate(b, Scalar(-product_of(second_w, factor)), m.r);
+    contact = contact_of(m, factor.value, sigma);
+    return true;
 }
 
 // Pads the list to whole groups with the body itself, which it never collides with; afterwards
@@ -269,8 +286,7 @@ inline void PairSearch<Body>::fill_up_lanes(std::int32_t i) {
 // The earliest contact with one of the listed bodies. Returns whether two contacts may coincide.
 template <typename Body>
 [[gnu::always_inline]] inline bool PairSearch<Body>::search(const Bodies& bodies, std::int32_t i,
-                                                            double now,
-                                                            const Pairing<dimension>& pairing,
+                                                            double now, const Pairing& pairing,
                                                             FirstContact& first) {
     fill_up_lanes(i);
     const std::size_t count = near_count_;
@@ -288,7 +304,7 @@ template <typename Body>
 // The pairing for bodies in the surrounding cells.
 template <typename Body>
 [[gnu::always_inline]] inline auto PairSearch<Body>::pairing_near(Cell cell) const
-    -> const Pairing<dimension>& {
+    -> const Pairing& {
     bool is_inner = true;
     for (std::size_t a = 0; a < axes; ++a)
         is_inner &= cell[a] - grid_.inner()[a].first < grid_.inner()[a].count;
@@ -303,7 +319,7 @@ inline auto PairSearch<Body>::search_slots(const Bodies& bodies, std::int32_t i,
     return [&, i, now](const typename Grid::Slots& slots, const Point& shift) {
         grid_.append(slots, near_, near_count_);
         if (near_count_ == 0) return;
-        auto pairing = Pairing<dimension>::shifted(shift);
+        auto pairing = Pairing::shifted(shift);
         pairing.gravity = only_.gravity;
         pairing.margin = only_.margin;
         may_coincide |= search(bodies, i, now, pairing, first);

@@ -1,6 +1,5 @@
 #include "physics/plane/plane.h"
 
-#include "physics/collision/contact_rule.h"
 #include "physics/plane/axis_lanes.h"
 #include "util/threads/processors.h"
 
@@ -31,26 +30,7 @@ auto PlainSpace<Dimension>::bodies_of(const Particles& particles) -> Bodies {
 template <int Dimension>
 CAROM_FOR_PROCESSORS_WITH_FMA bool PlainSpace<Dimension>::collide(
     Bodies& bodies, std::int32_t i, std::int32_t j, Contact<Dimension>& contact) const {
-    Body &a = at(bodies, i), &b = at(bodies, j);
-    const Properties &first = properties_[i], &second = properties_[j];
-    const double sigma = first.radius + second.radius;
-    RelativeMotion<double, axes> m;
-    for (std::size_t k = 0; k < axes; ++k) m.v[k] = b.v[k] - a.v[k];
-    if (!this->separation_at_contact(a, b, sigma, m.r)) return false;
-    static_assert(ContactRule::keeps_species);
-    const Unrounded<double> factor =
-        ContactRule::impulse(m, first.inverse_mass, second.inverse_mass);
-    const double of_first = product_of(first.inverse_mass, factor);
-    const double of_second = product_of(second.inverse_mass, factor);
-    const TwoLanes r{m.r[0], m.r[1]};
-    store_two(load_two(a.v.data()) + of_first * r, a.v.data());
-    store_two(load_two(b.v.data()) - of_second * r, b.v.data());
-    if constexpr (Dimension == 3) {
-        a.v[2] += of_first * m.r[2];
-        b.v[2] -= of_second * m.r[2];
-    }
-    contact = contact_of(m, factor.value, sigma);
-    return true;
+    return Base::collide(bodies, i, j, contact);
 }
 
 // The contact, or the first of the borders ahead on each axis: of the cell with its overhang, or of

@@ -279,7 +279,7 @@ class PrecisionSearch {
             fmt::format("a return {} takes some {:.0f} bits; the limit is {}", after_how_many(),
                         bits, most_bits),
             fmt::format("reverse {:.3g} time units or less after the previous reversal or the "
-                        "start, or let disks fill more of the box",
+                        "start, or let the particles fill more of the box",
                         longest_ * most_bits / bits));
     }
     [[noreturn]] void refuse_at_limit() const {
@@ -322,8 +322,7 @@ ReturnDistance moved_by(const std::vector<Perturbation>& perturbations, Eigen::I
     for (const Perturbation& perturbation : perturbations) {
         std::array<Real, 3>& by = displaced[perturbation.particle];
         for (std::size_t axis = 0; axis < by.size(); ++axis)
-            if (!perturbation.by[axis].empty())
-                by[axis] += Real::from_text(perturbation.by[axis], least_bits);
+            by[axis] += Real::from_text(perturbation.by[axis], least_bits);
     }
     Real largest = 0.0, sum = 0.0;
     for (const auto& [particle, by] : displaced) {

@@ -8,7 +8,7 @@
 namespace carom {
 namespace {
 
-using Line = Barrier<2>;
+using InPlane = Barrier<2>;
 using InSpace = Barrier<3>;
 
 template <int Dimension>
@@ -19,7 +19,7 @@ Barrier<Dimension> round_at(const Vec& center, double radius, std::int32_t surfa
     return barrier;
 }
 
-Line line_between(const Vec& begin, const Vec& end, std::int32_t surface) {
+InPlane line_between(const Vec& begin, const Vec& end, std::int32_t surface) {
     const Vec step = end - begin;
     const double length = std::hypot(step[0], step[1]);
     return {.place = {begin[0], begin[1]},
@@ -51,9 +51,9 @@ InSpace edge_at(std::size_t axis, const std::array<double, 2>& at, double from, 
 
 // A partition extends from wall to wall except for its gaps, whose ends are corners.
 void add_partition(const Box& box, const Partition& partition, std::int32_t surface,
-                   std::vector<Line>& barriers) {
+                   std::vector<InPlane>& barriers) {
     const auto axis = static_cast<std::size_t>(partition.axis), along = 1 - axis;
-    const Line line = flat_at<2>(axis, partition.at, surface);
+    const InPlane line = flat_at<2>(axis, partition.at, surface);
     if (partition.gaps.empty()) {
         barriers.push_back(line);
         return;
@@ -67,7 +67,7 @@ void add_partition(const Box& box, const Partition& partition, std::int32_t surf
     const bool ends_at_border = box.is_periodic(along) && gap_at_low != gap_at_high;
     const auto add_corner = [&](double where) {
         if (!(where > 0.0 && where < end) && !ends_at_border) return;
-        Line corner{.kind = Line::Kind::round, .surface = surface};
+        InPlane corner{.kind = InPlane::Kind::round, .surface = surface};
         corner.place[axis] = partition.at;
         corner.place[along] = where;
         barriers.push_back(corner);
@@ -77,7 +77,7 @@ void add_partition(const Box& box, const Partition& partition, std::int32_t surf
         // A piece that reaches a wall continues beyond it, because the wall may move.
         const bool goes_on_below = !box.is_periodic(along) && from == 0.0;
         const bool goes_on_above = !box.is_periodic(along) && to == end;
-        Line piece = line;
+        InPlane piece = line;
         piece.place[along] = goes_on_below ? to : from;
         piece.from[0] = 0.0;
         if (!goes_on_below && !goes_on_above) piece.to[0] = to - from;
@@ -161,7 +161,7 @@ void add_cuboid(const Box& box, const Obstacle::Cuboid& cuboid, std::int32_t sur
 }
 
 void add_obstacle(const Box&, const Obstacle& obstacle, std::int32_t surface,
-                  std::vector<Line>& barriers) {
+                  std::vector<InPlane>& barriers) {
     if (const auto* disk = std::get_if<Obstacle::Ball>(&obstacle.shape)) {
         barriers.push_back(round_at<2>(disk->center, disk->radius, surface));
         return;

@@ -18,11 +18,6 @@
 
 namespace carom {
 
-/// The two axes of space other than this one, in ascending order.
-inline constexpr std::array<std::size_t, 2> other_axes(std::size_t axis) {
-    return {axis == 0 ? 1U : 0U, axis == 2 ? 1U : 2U};
-}
-
 /// A part of a surface, at rest or moving with it. Where there is no thickness, the two sides are
 /// alike. `Dimension` is 2, also for the ends of a line, or 3.
 template <int Dimension>

@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "physics/multiprecision/multiprecision.h"
+#include "physics/vec.h"
 #include "util/random.h"
 
 namespace carom {
@@ -29,7 +30,7 @@ std::array<std::array<Scalar, 3>, 2> tangents_of(const std::array<Scalar, 3>& no
     std::array<Scalar, 3> sum = normal;
     sum[axis] += side;
     std::array<std::array<Scalar, 3>, 2> tangents{};
-    const std::array<std::size_t, 2> others{axis == 0 ? 1U : 0U, axis == 2 ? 1U : 2U};
+    const auto others = other_axes(axis);
     for (const std::size_t j : {0U, 1U}) {
         const Scalar share = normal[others[j]] / (1.0 + abs(normal[axis]));
         for (std::size_t k = 0; k < 3; ++k) tangents[j][k] = -share * sum[k];

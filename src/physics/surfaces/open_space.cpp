@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "physics/collision/contact_rule.h"
 #include "physics/plane/leaving_cell.h"
 
 namespace carom {
@@ -167,14 +166,6 @@ void OpenSpace<Scalar, Dimension>::fit_grid(const Scalar& now, std::size_t count
 template <typename Scalar, int Dimension>
 double OpenSpace<Scalar, Dimension>::reach_of(std::size_t axis) const {
     return (largest_ + grid_.overhang()[axis]) * (1.0 + 1e-9) + 1e-9 * box_.longest_side();
-}
-
-// The number along an axis of the cells that contain a coordinate.
-template <typename Scalar, int Dimension>
-std::uint16_t OpenSpace<Scalar, Dimension>::cell_number(std::size_t axis, double place) const {
-    return static_cast<std::uint16_t>(
-        std::clamp(std::floor((place - origin_[axis]) / grid_.cell_size()[axis]), 0.0,
-                   static_cast<double>(grid_.last_cell()[axis])));
 }
 
 // Stores the lists of barriers that a body in each cell may touch, one cell after the other.
@@ -383,21 +374,9 @@ Scalar OpenSpace<Scalar, Dimension>::predict_after_crossing(Bodies& bodies, std:
 template <typename Scalar, int Dimension>
 bool OpenSpace<Scalar, Dimension>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
                                            Contact<Dimension>& contact) {
-    Body &a = at(bodies, i), &b = at(bodies, j);
-    const Properties &first = properties_[i], &second = properties_[j];
-    const double sigma = first.radius + second.radius;
-    RelativeMotion<Scalar, axes> m;
-    for (std::size_t k = 0; k < axes; ++k) m.v[k] = b.v[k] - a.v[k];
-    if (!this->separation_at_contact(a, b, sigma, m.r)) return false;
-    const Scalar first_w = as_precise_as(m.r[0], first.inverse_mass),
-                 second_w = as_precise_as(m.r[0], second.inverse_mass);
-    static_assert(ContactRule::keeps_species);
-    const Unrounded<Scalar> factor = ContactRule::impulse(m, first_w, second_w);
-    accelerate(a, product_of(first_w, factor), m.r);
-    accelerate(b, Scalar(-product_of(second_w, factor)), m.r);
-    surfaces_.path_has_changed(a);
-    surfaces_.path_has_changed(b);
-    contact = contact_of(m, factor.value, sigma);
+    if (!Base::collide(bodies, i, j, contact)) return false;
+    surfaces_.path_has_changed(at(bodies, i));
+    surfaces_.path_has_changed(at(bodies, j));
     return true;
 }
 

@@ -159,7 +159,10 @@ class OpenSpace : public PairSearch<FallingBody<Scalar, Dimension>> {
     void list_barriers();
     void list_reach(std::size_t mover);
     double reach_of(std::size_t axis) const;
-    std::uint16_t cell_number(std::size_t axis, double place) const;
+    /// The number along an axis of the cells that contain a coordinate.
+    std::uint16_t cell_number(std::size_t axis, double place) const {
+        return grid_.cell_along(axis, place - origin_[axis]);
+    }
     /// The list of barriers of a cell.
     int list_of(const Cell& cell) const {
         int list = cell[axes - 1];

@@ -42,8 +42,8 @@ std::optional<Kind> lost_memory(const Behaviour& behaviour) {
 }
 
 bool is_finite(const Obstacle& obstacle) {
-    if (const auto* disk = std::get_if<Obstacle::Ball>(&obstacle.shape))
-        return is_finite(disk->center) && disk->radius >= 0.0 && std::isfinite(disk->radius);
+    if (const auto* ball = std::get_if<Obstacle::Ball>(&obstacle.shape))
+        return is_finite(ball->center) && ball->radius >= 0.0 && std::isfinite(ball->radius);
     if (const auto* cuboid = std::get_if<Obstacle::Cuboid>(&obstacle.shape))
         return is_finite(cuboid->low) && is_finite(cuboid->high);
     const auto& [corners, is_closed] = std::get<Obstacle::Lines>(obstacle.shape);
@@ -53,9 +53,10 @@ bool is_finite(const Obstacle& obstacle) {
 
 // The smallest and the largest coordinates of an obstacle.
 std::pair<Vec, Vec> extent_of(const Obstacle& obstacle) {
-    if (const auto* disk = std::get_if<Obstacle::Ball>(&obstacle.shape))
-        return {disk->center - Vec(disk->radius, disk->radius, disk->radius),
-                disk->center + Vec(disk->radius, disk->radius, disk->radius)};
+    if (const auto* ball = std::get_if<Obstacle::Ball>(&obstacle.shape)) {
+        const Vec reach(ball->radius, ball->radius, ball->radius);
+        return {ball->center - reach, ball->center + reach};
+    }
     if (const auto* cuboid = std::get_if<Obstacle::Cuboid>(&obstacle.shape))
         return {cuboid->low, cuboid->high};
     const auto& corners = std::get<Obstacle::Lines>(obstacle.shape).corners;

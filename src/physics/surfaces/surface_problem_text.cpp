@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "physics/surfaces/barrier.h"
 #include "physics/surfaces/surface_error.h"
 #include "physics/surfaces/surface_problem.h"
 
@@ -23,13 +22,18 @@ const char* word_of_forgetful(Kind kind) {
 
 std::string range_text(double size) { return fmt::format("0 to {}", size); }
 
-// The gaps of a partition in space, and where they may lie.
-std::string gap_text(const Gap& gap) {
+// A gap, and where the gaps of a partition may lie.
+std::string gap_text(const Gap& gap, const Box& box) {
+    if (box.dimension < 3) return fmt::format("the gap from {} to {}", gap.from(), gap.to());
     return fmt::format("the gap from ({}, {}) to ({}, {})", gap.low[0], gap.low[1], gap.high[0],
                        gap.high[1]);
 }
 
 std::string room_of_gaps(const Partition& partition, const Box& box) {
+    if (box.dimension < 3) {
+        const int along = 1 - partition.axis;
+        return fmt::format("{} = 0 and {}", name_of_axis(along), box.length(along));
+    }
     const auto along = other_axes(static_cast<std::size_t>(partition.axis));
     return fmt::format("{} = 0 and {}, and between {} = 0 and {}", name_of_axis(along[0]),
                        box.length(along[0]), name_of_axis(along[1]), box.length(along[1]));
@@ -37,7 +41,7 @@ std::string room_of_gaps(const Partition& partition, const Box& box) {
 
 ProblemText of_partition(const SurfaceProblem& p, const std::string& name, const Box& box) {
     const Partition& line = *box.surfaces.partition(p.surface);
-    const char along = line.axis == 0 ? 'y' : 'x';  // in the plane
+    const auto gap = [&](std::size_t k) { return gap_text(line.gaps[k], box); };
     switch (p.kind) {
         case Kind::no_axis:
             return {fmt::format("{} is perpendicular to an axis that the box does not have", name),
@@ -48,27 +52,20 @@ ProblemText of_partition(const SurfaceProblem& p, const std::string& name, const
                                 line.at),
                     fmt::format("the box goes from {}", range_text(box.length(line.axis)))};
         case Kind::gap_empty:
-            return {gap_text(line.gaps[p.item]) + " ends where it begins, or before",
+            return {gap(p.item) + " ends where it begins, or before",
                     "give the lower corner of a gap first"};
         case Kind::gaps_overlap:
-            return {fmt::format("{} overlaps {}", gap_text(line.gaps[p.item]),
-                                gap_text(line.gaps[static_cast<std::size_t>(p.other)])),
-                    "make them smaller, or let them touch: gaps that touch are one opening"};
+            return {
+                fmt::format("{} overlaps {}", gap(p.item), gap(static_cast<std::size_t>(p.other))),
+                "make them smaller, or let them touch: gaps that touch are one opening"};
         case Kind::gap_outside:
-            if (box.dimension == 3)
-                return {gap_text(line.gaps[p.item]) + " is not in the box",
-                        fmt::format("gaps of {} lie between {}", name, room_of_gaps(line, box))};
-            return {fmt::format("the gap from {} to {} is not in the box", line.gaps[p.item].from(),
-                                line.gaps[p.item].to()),
-                    fmt::format("gaps of {} lie between {} = {}", name, along,
-                                fmt::format("0 and {}", box.length(1 - line.axis)))};
+            return {gap(p.item) + " is not in the box",
+                    fmt::format("gaps of {} lie between {}", name, room_of_gaps(line, box))};
         case Kind::gaps_unordered:
             if (line.gaps[p.item].from() >= line.gaps[p.item].to())
-                return {fmt::format("the gap from {} to {} ends where it begins, or before",
-                                    line.gaps[p.item].from(), line.gaps[p.item].to()),
+                return {gap(p.item) + " ends where it begins, or before",
                         "give gaps as [from, to], the smaller first"};
-            return {fmt::format("the gap from {} to {} begins before the end of the one before",
-                                line.gaps[p.item].from(), line.gaps[p.item].to()),
+            return {gap(p.item) + " begins before the end of the one before",
                     "give gaps as [from, to] in rising order, without overlap"};
         case Kind::piston_gaps:
             return {fmt::format("{} is a piston, which has no gaps", name),

@@ -87,11 +87,12 @@ Scalar SurfaceSet<Scalar, Dimension>::time_to(const Body& body, std::int32_t k,
                                               const Scalar& now) const {
     const Barrier& barrier = this->barrier(k);
     Motion m = motion_of(body, barrier, now);
-    const bool is_let_in = (body.passing & bit_of(barrier.surface)) != 0;
-    if (barrier.kind == Kind::flat)  // a point that it has let in is beyond it at once
-        return flat_time(barrier, m, is_let_in && !is_point(body) ? m.radius + slack_ : 0.0);
+    const bool is_flat = barrier.kind == Kind::flat;
+    // A point that a line or a face has let in is beyond it at once.
+    const bool is_let_in =
+        (body.passing & bit_of(barrier.surface)) != 0 && !(is_flat && is_point(body));
     // At a corner or an edge, where two lines or faces meet, round-off might let a point through.
-    if (barrier.radius == 0.0) m.radius = std::max(m.radius, clearance_);
+    if (!is_flat && barrier.radius == 0.0) m.radius = std::max(m.radius, clearance_);
     return time_to_barrier(barrier, m, is_let_in ? m.radius + slack_ : 0.0, bits_);
 }
 

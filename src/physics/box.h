@@ -88,7 +88,7 @@ struct Box {
     /// Minimum-image convention: the shortest vector between two points that are `separation`
     /// apart, across periodic sides where there are any. Nearest images are computed only here and
     /// in turns(), except in the contact search, which handles several pairs at once
-    /// (plane/contact_search.h).
+    /// (cells/contact_search.h).
     Vec nearest(const Vec& separation) const {
         const auto along = [&](int axis) {
             const double apart = separation[axis];

@@ -1,6 +1,6 @@
 // Types shared by the event loop (event_loop.h), whose source is the same in every dimension, and
-// its geometries: disks or spheres in a box (plane.h, open_space.h, mp_space.h) and beads on a line
-// (line.h, open_line.h).
+// its geometries: disks or spheres in a box (plain_space.h, open_space.h, mp_space.h) and beads on
+// a line (line.h, open_line.h).
 #pragma once
 
 #include <algorithm>

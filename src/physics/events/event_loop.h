@@ -2,7 +2,8 @@
 // advances them from one event to the next. Each particle has its own local time, up to which it
 // has been moved; an event touches only the particles that collide. The same source serves doubles
 // and multiprecision (multiprecision.h). The loop does not know about runs, reversals at given
-// times or placement (simulation.h), nor about neighbour search (plane.h, mp_space.h, line.h).
+// times or placement (simulation.h), nor about neighbour search (plain_space.h, mp_space.h,
+// line.h).
 //
 // A particle's next event is the earliest of its contact with another particle, its contact with a
 // wall, and its crossing of a cell border. It may predict a contact with a particle whose own next
@@ -24,6 +25,7 @@
 
 #include "physics/advance_result.h"
 #include "physics/box.h"
+#include "physics/cells/plain_space.h"
 #include "physics/collision/velocity_changes.h"
 #include "physics/events/contact_rounds.h"
 #include "physics/events/event_queue.h"
@@ -33,7 +35,6 @@
 #include "physics/multiprecision/mp_event_queue.h"
 #include "physics/multiprecision/mp_space.h"
 #include "physics/particles.h"
-#include "physics/plane/plane.h"
 #include "physics/run.h"
 #include "physics/surfaces/change_history.h"
 #include "physics/surfaces/open_line.h"

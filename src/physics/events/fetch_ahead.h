@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "physics/cells/plain_space.h"
 #include "physics/events/event_queue.h"
-#include "physics/plane/plane.h"
 #include "physics/surfaces/open_space.h"
 
 namespace carom {

@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
+#include "physics/cells/falling_body.h"
 #include "physics/collision/coincidences.h"
 #include "physics/collision/loop_types.h"
 #include "physics/multiprecision/multiprecision.h"
 #include "physics/particles.h"
-#include "physics/plane/falling_disk.h"
 #include "util/memory/large_pages.h"
 
 namespace carom {

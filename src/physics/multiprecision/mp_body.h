@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include "physics/cells/cell_grid.h"
 #include "physics/collision/loop_types.h"
 #include "physics/multiprecision/multiprecision.h"
-#include "physics/plane/cell_grid.h"
 
 namespace carom {
 

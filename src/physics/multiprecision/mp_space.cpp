@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "physics/cells/images.h"
 #include "physics/collision/contact_rule.h"
-#include "physics/plane/images.h"
 
 namespace carom {
 namespace {

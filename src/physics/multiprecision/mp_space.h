@@ -1,10 +1,10 @@
-// Disks or spheres in a box, as in plane.h, in multiprecision: which pairs may touch, and when. A
-// multiprecision contact time costs as much as a hundred in doubles. Doubles therefore give a time
-// before which a contact or a wall is certainly not reached, with rigorous error bounds, and only
-// candidates for the first event are solved in multiprecision. The sequence of events is the same,
-// bit for bit, as if all were solved in multiprecision. Crossings of cell borders have no physical
-// meaning: they happen at times calculated in doubles, which is accurate enough because a cell is
-// slightly wider than necessary.
+// Disks or spheres in a box, as in plain_space.h, in multiprecision: which pairs may touch, and
+// when. A multiprecision contact time costs as much as a hundred in doubles. Doubles therefore give
+// a time before which a contact or a wall is certainly not reached, with rigorous error bounds, and
+// only candidates for the first event are solved in multiprecision. The sequence of events is the
+// same, bit for bit, as if all were solved in multiprecision. Crossings of cell borders have no
+// physical meaning: they happen at times calculated in doubles, which is accurate enough because a
+// cell is slightly wider than necessary.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "physics/cells/cell_grid.h"
 #include "physics/collision/coincidences.h"
 #include "physics/collision/loop_types.h"
 #include "physics/multiprecision/mp_body.h"
-#include "physics/plane/cell_grid.h"
 
 namespace carom {
 

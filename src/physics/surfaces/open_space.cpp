@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "physics/plane/leaving_cell.h"
+#include "physics/cells/leaving_cell.h"
 
 namespace carom {
 namespace {

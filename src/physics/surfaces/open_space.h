@@ -1,6 +1,6 @@
-// The disks or spheres of plane.h in boxes with active surfaces, obstacles or gravity: which of
-// them may touch, which surfaces they reach, and when. Each cell lists the barriers at rest that a
-// body in it may touch; for each moving barrier the band of cells from which it may be touched is
+// The disks or spheres of plain_space.h in boxes with active surfaces, obstacles or gravity: which
+// of them may touch, which surfaces they reach, and when. Each cell lists the barriers at rest that
+// a body in it may touch; for each moving barrier the band of cells from which it may be touched is
 // known. For doubles and for multiprecision. Independent of the event queue and the clock.
 #pragma once
 
@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "physics/box.h"
+#include "physics/cells/axis_lanes.h"
+#include "physics/cells/falling_body.h"
+#include "physics/cells/pair_search.h"
 #include "physics/collision/loop_types.h"
 #include "physics/particles.h"
-#include "physics/plane/axis_lanes.h"
-#include "physics/plane/falling_disk.h"
-#include "physics/plane/pair_search.h"
 #include "physics/surfaces/surface_set.h"
 
 namespace carom {

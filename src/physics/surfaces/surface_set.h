@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "physics/box.h"
-#include "physics/plane/falling_disk.h"
+#include "physics/cells/falling_body.h"
 #include "physics/run.h"
 #include "physics/surface.h"
 #include "physics/surfaces/barrier.h"

@@ -53,7 +53,7 @@ const std::map<std::string, Parts> parts_of_module{
       {"canvas.h", "color.h", "formula/ink.h", "geometry.h"}}},
     {"stats", {{"means", "paths", "pairs", "stats"}, {}}},
     {"physics",
-     {{"units", "collision", "plane", "multiprecision", "line", "surfaces", "sampling", "placement",
+     {{"units", "collision", "cells", "multiprecision", "line", "surfaces", "sampling", "placement",
        "theory", "events", "physics", "reversal"},
       {"advance_result.h", "box.h", "collision_error.h", "exact_positions.h", "gas.h",
        "mechanics.h", "particles.h", "run.h", "surface.h", "temperature.h", "value_rule.h", "vec.h",

@@ -1,4 +1,4 @@
-#include "physics/plane/contact_search.h"
+#include "physics/cells/contact_search.h"
 
 #include <doctest/doctest.h>
 

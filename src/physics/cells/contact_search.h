@@ -11,10 +11,10 @@
 #include <cstdint>
 
 #include "physics/box.h"
+#include "physics/cells/body_state.h"
+#include "physics/cells/falling_body.h"
 #include "physics/collision/lanes.h"
 #include "physics/collision/pair_collision.h"
-#include "physics/plane/disk_state.h"
-#include "physics/plane/falling_disk.h"
 
 namespace carom {
 

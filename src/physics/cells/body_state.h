@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "physics/cells/cell_grid.h"
 #include "physics/collision/lanes.h"
 #include "physics/collision/loop_types.h"
 #include "physics/particles.h"
-#include "physics/plane/cell_grid.h"
 #include "util/memory/large_pages.h"
 
 namespace carom {

@@ -12,14 +12,14 @@
 #include <type_traits>
 #include <vector>
 
+#include "physics/cells/body_state.h"
+#include "physics/cells/cell_grid.h"
+#include "physics/cells/contact_search.h"
+#include "physics/cells/images.h"
+#include "physics/cells/order_of_cells.h"
 #include "physics/collision/coincidences.h"
 #include "physics/collision/contact_rule.h"
 #include "physics/collision/loop_types.h"
-#include "physics/plane/cell_grid.h"
-#include "physics/plane/contact_search.h"
-#include "physics/plane/disk_state.h"
-#include "physics/plane/images.h"
-#include "physics/plane/order_of_cells.h"
 
 namespace carom {
 

@@ -1,4 +1,4 @@
-#include "physics/plane/disk_state.h"
+#include "physics/cells/body_state.h"
 
 namespace carom {
 

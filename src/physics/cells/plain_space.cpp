@@ -1,6 +1,6 @@
-#include "physics/plane/plane.h"
+#include "physics/cells/plain_space.h"
 
-#include "physics/plane/axis_lanes.h"
+#include "physics/cells/axis_lanes.h"
 #include "util/threads/processors.h"
 
 namespace carom {

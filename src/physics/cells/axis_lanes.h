@@ -5,8 +5,8 @@
 #include <array>
 #include <type_traits>
 
+#include "physics/cells/cell_grid.h"
 #include "physics/collision/lanes.h"
-#include "physics/plane/cell_grid.h"
 
 namespace carom {
 

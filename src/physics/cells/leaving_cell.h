@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
+#include "physics/cells/axis_lanes.h"
 #include "physics/collision/pair_collision.h"
-#include "physics/plane/axis_lanes.h"
 
 namespace carom {
 

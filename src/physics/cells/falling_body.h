@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "physics/cells/body_state.h"
+#include "physics/cells/cell_grid.h"
 #include "physics/collision/loop_types.h"
-#include "physics/plane/cell_grid.h"
-#include "physics/plane/disk_state.h"
 
 namespace carom {
 
@@ -56,7 +56,7 @@ struct FallingBody : FallingState<Scalar, Dimension> {
 };
 
 /// Position and velocity of a body with this acceleration at a time, computed in pairs as the body
-/// stores them (disk_state.h).
+/// stores them (body_state.h).
 template <int Dimension>
 [[gnu::always_inline]] inline void fall(const BodyState<Dimension>& b, double now,
                                         const std::array<double, BodyState<Dimension>::axes>& a,

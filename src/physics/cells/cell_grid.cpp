@@ -1,4 +1,4 @@
-#include "physics/plane/cell_grid.h"
+#include "physics/cells/cell_grid.h"
 
 #include <algorithm>
 #include <cassert>

@@ -7,11 +7,11 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "physics/cells/axis_lanes.h"
+#include "physics/cells/body_state.h"
+#include "physics/cells/pair_search.h"
 #include "physics/collision/lanes.h"
 #include "physics/collision/loop_types.h"
-#include "physics/plane/axis_lanes.h"
-#include "physics/plane/disk_state.h"
-#include "physics/plane/pair_search.h"
 
 namespace carom {
 

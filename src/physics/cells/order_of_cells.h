@@ -10,7 +10,7 @@
 #include <numeric>
 #include <vector>
 
-#include "physics/plane/cell_grid.h"
+#include "physics/cells/cell_grid.h"
 
 namespace carom {
 

@@ -142,9 +142,11 @@ class PairSearch {
     FirstContact first_contact_after_crossing(const Bodies& bodies, std::int32_t i, int side,
                                               double now);
 
-    /// Changes the velocities of two bodies in contact that have been advanced to the same time.
-    /// Returns false if they do not approach (a grazing contact, due to round-off).
-    bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<dimension>& contact) const;
+    /// Changes the velocities of two bodies in contact that have been advanced to the same time;
+    /// `inverse_mass` is that of each. Returns false if they do not approach (a grazing contact,
+    /// due to round-off).
+    bool collide(Bodies& bodies, std::int32_t i, std::int32_t j,
+                 const std::array<Scalar, 2>& inverse_mass, Contact<dimension>& contact) const;
 
     /// Creates a new grid for all bodies over the part of space that begins at `origin` and has the
     /// size and walls of `part`. The bodies must be entered again.
@@ -252,25 +254,17 @@ bool PairSearch<Body>::choose_image(double sigma, Motion& m) const {
 }
 
 template <typename Body>
-[[gnu::always_inline]] inline bool PairSearch<Body>::collide(Bodies& bodies, std::int32_t i,
-                                                             std::int32_t j,
-                                                             Contact<dimension>& contact) const {
+[[gnu::always_inline]] inline bool PairSearch<Body>::collide(
+    Bodies& bodies, std::int32_t i, std::int32_t j, const std::array<Scalar, 2>& inverse_mass,
+    Contact<dimension>& contact) const {
     Body &a = at(bodies, i), &b = at(bodies, j);
-    const Properties &first = properties_[i], &second = properties_[j];
-    const double sigma = first.radius + second.radius;
+    const double sigma = radius_of(i) + radius_of(j);
     Motion m;
     if (!motion_at_contact(a, b, sigma, m)) return false;
-    const auto precise = [&](double number) -> Scalar {
-        if constexpr (of_doubles)
-            return number;
-        else
-            return as_precise_as(m.r[0], number);
-    };
-    const Scalar first_w = precise(first.inverse_mass), second_w = precise(second.inverse_mass);
     static_assert(ContactRule::keeps_species);
-    const Unrounded<Scalar> factor = ContactRule::impulse(m, first_w, second_w);
-    accelerate(a, product_of(first_w, factor), m.r);
-    accelerate(b, Scalar(-product_of(second_w, factor)), m.r);
+    const Unrounded<Scalar> factor = ContactRule::impulse(m, inverse_mass[0], inverse_mass[1]);
+    accelerate(a, product_of(inverse_mass[0], factor), m.r);
+    accelerate(b, Scalar(-product_of(inverse_mass[1], factor)), m.r);
     contact = contact_of(m, factor.value, sigma);
     return true;
 }

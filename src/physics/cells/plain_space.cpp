@@ -30,7 +30,8 @@ auto PlainSpace<Dimension>::bodies_of(const Particles& particles) -> Bodies {
 template <int Dimension>
 CAROM_FOR_PROCESSORS_WITH_FMA bool PlainSpace<Dimension>::collide(
     Bodies& bodies, std::int32_t i, std::int32_t j, Contact<Dimension>& contact) const {
-    return Base::collide(bodies, i, j, contact);
+    return Base::collide(bodies, i, j, {properties_[i].inverse_mass, properties_[j].inverse_mass},
+                         contact);
 }
 
 // The contact, or the first of the borders ahead on each axis: of the cell with its overhang, or of

@@ -374,7 +374,11 @@ Scalar OpenSpace<Scalar, Dimension>::predict_after_crossing(Bodies& bodies, std:
 template <typename Scalar, int Dimension>
 bool OpenSpace<Scalar, Dimension>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
                                            Contact<Dimension>& contact) {
-    if (!Base::collide(bodies, i, j, contact)) return false;
+    const auto inverse_mass_of = [&](std::int32_t body) {
+        return as_precise_as(at(bodies, i).x[0], properties_[body].inverse_mass);
+    };
+    if (!Base::collide(bodies, i, j, {inverse_mass_of(i), inverse_mass_of(j)}, contact))
+        return false;
     surfaces_.path_has_changed(at(bodies, i));
     surfaces_.path_has_changed(at(bodies, j));
     return true;

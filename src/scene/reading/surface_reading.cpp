@@ -130,9 +130,11 @@ void complete_partition(PartitionDraft& draft, const Node& node, Reading& readin
     const auto given_one =
         std::ranges::find_if(along, [](const auto& at) { return at.has_value(); });
     const bool has_place = given_one != along.end();
-    draft.axis = has_place ? static_cast<int>(given_one - along.begin()) : 1;
-    draft.at = has_place ? **given_one : 0.0;
-    check_directions(draft, reading.errors);
+    if (has_place) {
+        draft.axis = static_cast<int>(given_one - along.begin());
+        draft.at = **given_one;
+        check_directions(draft, reading.errors);
+    }
     const auto behaviour = behaviour_of(draft, node, reading.errors);
     if (behaviour) draft.behaviour = *behaviour;
     if (draft.passes.node != nullptr)

@@ -256,7 +256,8 @@ class PrecisionSearch {
     double first_guess() const {
         if (gas_.box.dimension == 1) return least_bits;
         const double lost =
-            of_each_ * bits_lost_per_collision(packing_fraction(gas_.box, placed_.first));
+            of_each_ *
+            bits_lost_per_collision(gas_.box.dimension, packing_fraction(gas_.box, placed_.first));
         return std::log2(gas_.box.longest_side() / tolerance_) + 12.0 + lost +
                2.0 * std::sqrt(lost);
     }

@@ -256,8 +256,8 @@ const std::map<LawOf, std::string>& table() {
          "yes yes yes unequal_masses gravity fixed_particles moving_infinite_mass bath "
          "baths_differ driven piston membrane partitions partitions obstacles event "
          "event event yes few few obstacles gravity obstacles few few no_finite_mass "
-         "at_rest yes points gravity plane_only plane_only plane_only yes yes plane_only "
-         "plane_only driven diffuse diffuse "
+         "at_rest yes points gravity line line line yes yes line "
+         "line driven diffuse diffuse "
          "diffuse"},
         {LawOf::diffusion,
          "remembers remembers remembers remembers remembers remembers remembers remembers "
@@ -373,9 +373,8 @@ const std::map<LawOf, std::string>& table_of_space() {
          "bath piston piston partitions partitions no_gravity obstacles obstacles "
          "no_gravity no_gravity no_gravity no_gravity no_gravity"},
         {LawOf::error_growth,
-         "plane_only plane_only plane_only plane_only plane_only plane_only plane_only "
-         "plane_only plane_only plane_only plane_only plane_only plane_only plane_only "
-         "plane_only plane_only plane_only plane_only plane_only plane_only plane_only"},
+         "yes yes yes yes unequal_masses unequal_masses gravity gravity bath piston piston "
+         "partitions partitions few obstacles obstacles few points yes yes yes"},
         {LawOf::diffusion,
          "bounded few bounded_once bounded_once unequal_masses bounded bounded bounded "
          "bounded bounded bounded_once bounded bounded bounded bounded bounded pair "

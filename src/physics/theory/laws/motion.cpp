@@ -201,11 +201,12 @@ Law memoryless(const BoxedGas& gas, const Asked& asked) {
     return {};
 }
 
-// The fit is to 50 disks and more; it is not known how far below it may be continued.
+// The fits are to 50 disks and 32 spheres and more; it is not known how far below it may be
+// continued.
 Law error_growth(const BoxedGas& gas, const Asked&) {
     constexpr Eigen::Index fewest = 10;
     const Particles& particles = *gas.particles;
-    if (gas.box.dimension != 2) return none(Why::plane_only);
+    if (gas.box.dimension == 1) return none(Why::line);
     if (const auto reason = why_not_isolated(gas)) return none(*reason);
     if (const auto reason =
             first_of(gas, {Why::diffuse, Why::no_finite_mass, Why::fixed_particles}))
@@ -215,7 +216,7 @@ Law error_growth(const BoxedGas& gas, const Asked&) {
     if (!are_equal(particles.inverse_mass)) return none(Why::unequal_masses);
     if (!are_equal(particles.radius)) return none(Why::unequal_radii);
     if (gas.are_points()) return none(Why::points);
-    return value(bits_lost_per_collision(packing_fraction(gas.box, particles)));
+    return value(bits_lost_per_collision(gas.box.dimension, packing_fraction(gas.box, particles)));
 }
 
 }  // namespace carom::laws

@@ -1,4 +1,5 @@
-// Gases of equal disks in a periodic box, as used in theory and in published reference simulations.
+// Gases of equal disks or spheres in a periodic box, as used in theory and in published reference
+// simulations.
 #pragma once
 
 #include <cmath>
@@ -6,6 +7,7 @@
 #include <numbers>
 
 #include "physics/gas.h"
+#include "support/space.h"
 
 namespace carom::test {
 
@@ -17,6 +19,17 @@ inline Gas equal_disks(double packing, std::int64_t count) {
     Gas gas;
     gas.box.size = {std::sqrt(area) / shape, std::sqrt(area) * shape};
     gas.box.walls = {Wall::periodic, Wall::periodic};
+    gas.species = {
+        {.name = "", .count = count, .velocity = Temperature{1.0}, .position = LatticePlaces{}}};
+    return gas;
+}
+
+/// Spheres of mass 1 and diameter 1 at temperature 1 in a cube, on a face-centred cubic lattice
+/// that fits it without defects if their number is 4 k^3.
+inline Gas equal_spheres(double packing, std::int64_t count) {
+    const double side = std::cbrt(static_cast<double>(count) * std::numbers::pi / 6.0 / packing);
+    Gas gas;
+    gas.box = cube_of(side, Wall::periodic);
     gas.species = {
         {.name = "", .count = count, .velocity = Temperature{1.0}, .position = LatticePlaces{}}};
     return gas;

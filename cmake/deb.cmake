@@ -34,16 +34,16 @@ foreach(library IN ITEMS libavcodec libavfilter libavformat libavutil)
     endif()
     string(APPEND CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS ", ${package}")
 endforeach()
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "carom simulates hard disks in a box and rods or points on a line with exact
-collision times, draws the gas beside histograms and theory curves, and writes
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "carom simulates hard spheres or disks in a box and rods or points on a line
+with exact collision times, draws the gas beside histograms and theory curves, and writes
 films (MP4, WebM, GIF), figures (SVG, PDF, PNG) and tables. A scene is a few
 lines of YAML. No screen is needed.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libcarom-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4), libmpfr-dev (>= 4.2), libfmt-dev (>= 9.1), libxxhash-dev (>= 0.8)")
-set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "The core of carom, the event-driven simulation of hard disks and rods, as a
-static library with its headers and a package for CMake: find_package(carom)
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "The core of carom, the event-driven simulation of hard spheres, disks and
+rods, as a static library with its headers and a package for CMake: find_package(carom)
 gives carom::physics.")
 
 # Files that Debian's policy also requires: the copyright and the changelog.

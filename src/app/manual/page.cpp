@@ -105,9 +105,10 @@ ManualPage page_of(const std::vector<Command>& commands) {
             {{.title = "Synopsis", .calls = program_calls},
              {.title = "Description",
               .paragraphs =
-                  {"carom simulates gases of hard disks in a plane, and of rods and points on a "
-                   "line, with exact collision times. From a scene, a YAML file of a few lines, it "
-                   "makes a film, figures for print, or tables of numbers. It needs no screen.",
+                  {"carom simulates gases of hard spheres in space, of hard disks in a plane, and of "
+                   "rods and points on a line, with exact collision times. From a scene, a YAML "
+                   "file of a few lines, it makes a film, figures for print, or tables of numbers. "
+                   "It needs no screen.",
                    "The same scene and seed give the same film on any number of cores. Mistakes in "
                    "a scene are reported before the work starts, all at once, each with its line. "
                    "carom new writes a scene to start from; share/carom/scenes has others."}},

@@ -100,23 +100,24 @@ ManualPage page_of(const std::vector<Command>& commands) {
     std::string pages;
     for (const Command& command : commands)
         pages += fmt::format("{}carom-{}(1)", pages.empty() ? "" : ", ", command.name);
-    return {"carom",
-            program_summary,
-            {{.title = "Synopsis", .calls = program_calls},
-             {.title = "Description",
-              .paragraphs =
-                  {"carom simulates gases of hard spheres in space, of hard disks in a plane, and of "
-                   "rods and points on a line, with exact collision times. From a scene, a YAML "
-                   "file of a few lines, it makes a film, figures for print, or tables of numbers. "
-                   "It needs no screen.",
-                   "The same scene and seed give the same film on any number of cores. Mistakes in "
-                   "a scene are reported before the work starts, all at once, each with its line. "
-                   "carom new writes a scene to start from; share/carom/scenes has others."}},
-             {.title = "Commands", .definitions = definitions_of(commands)},
-             {.title = "Files", .definitions = files()},
-             {.title = "Environment", .definitions = environment()},
-             exit_codes(),
-             {.title = "See also", .paragraphs = {pages}}}};
+    return {
+        "carom",
+        program_summary,
+        {{.title = "Synopsis", .calls = program_calls},
+         {.title = "Description",
+          .paragraphs =
+              {"carom simulates gases of hard spheres in space, of hard disks in a plane, and of "
+               "rods and points on a line, with exact collision times. From a scene, a YAML "
+               "file of a few lines, it makes a film, figures for print, or tables of numbers. "
+               "It needs no screen.",
+               "The same scene and seed give the same film on any number of cores. Mistakes in "
+               "a scene are reported before the work starts, all at once, each with its line. "
+               "carom new writes a scene to start from; share/carom/scenes has others."}},
+         {.title = "Commands", .definitions = definitions_of(commands)},
+         {.title = "Files", .definitions = files()},
+         {.title = "Environment", .definitions = environment()},
+         exit_codes(),
+         {.title = "See also", .paragraphs = {pages}}}};
 }
 
 ManualPage help_of(const Command& command) {

@@ -107,8 +107,9 @@ TEST_CASE("the title of a pressure names the walls if any side is solid") {
                              "}\ngas: [{count: 5, radius: 0.5, speed: 1}]\nrun: {until: 1}\n"
                              "film: {seconds: 1, panels: [pressure]}\n"),
             4);
+        const plot::Plot plot = seen.plot();
         std::string title;
-        for (const auto& piece : seen.plot().titles.at(0).pieces) title += piece.markup;
+        for (const auto& piece : plot.titles.at(0).pieces) title += piece.markup;
         return title.find("on the walls") != std::string::npos;
     };
     CHECK(names_walls("size: [10, 10], walls: solid"));

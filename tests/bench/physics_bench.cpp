@@ -141,7 +141,7 @@ int main(int argc, char** argv) {
         }
     }
     fmt::print("memory of the event loop, bytes a particle:\n");
-    const int side = quick ? 29 : 63, count = 4 * side * side * side;
+    constexpr int side = 63, count = 4 * side * side * side;
     bool is_small = true;
     const auto print_bytes = [&](const char* what, double packing, double bytes) {
         is_small = is_small && bytes <= most_bytes;

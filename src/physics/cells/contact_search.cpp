@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "physics/collision/loop_types.h"
 #include "physics/collision/pair_collision.h"
@@ -164,10 +165,12 @@ template <bool several_images, bool alike, typename Scope>
                 a.properties.radius;
         store_lanes(sigma, &pairs.sigma[k]);
     }
-    for (std::size_t axis = 0; axis < axes; ++axis) {
-        store_lanes(motion.r[axis], &pairs.r[axis][k]);
-        store_lanes(motion.v[axis], &pairs.v[axis][k]);
+    // Three steps of a loop would be unrolled too late: the vectors would pass through memory.
+    [&]<std::size_t... axis>(std::index_sequence<axis...>) __attribute__((always_inline)) {
+        (store_lanes(motion.r[axis], &pairs.r[axis][k]), ...);
+        (store_lanes(motion.v[axis], &pairs.v[axis][k]), ...);
     }
+    (std::make_index_sequence<axes>());
     const auto look = quick_look(motion, sigma);
     const FourLanes latest =
         select(others_latest < a.latest, others_latest, FourLanes{} + a.latest);

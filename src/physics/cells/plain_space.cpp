@@ -1,7 +1,6 @@
 #include "physics/cells/plain_space.h"
 
 #include "physics/cells/axis_lanes.h"
-#include "util/threads/processors.h"
 
 namespace carom {
 template class PairSearch<BodyState<2>>;
@@ -28,8 +27,8 @@ auto PlainSpace<Dimension>::bodies_of(const Particles& particles) -> Bodies {
 }
 
 template <int Dimension>
-CAROM_FOR_PROCESSORS_WITH_FMA bool PlainSpace<Dimension>::collide(
-    Bodies& bodies, std::int32_t i, std::int32_t j, Contact<Dimension>& contact) const {
+bool PlainSpace<Dimension>::collide(Bodies& bodies, std::int32_t i, std::int32_t j,
+                                    Contact<Dimension>& contact) const {
     return Base::collide(bodies, i, j, {properties_[i].inverse_mass, properties_[j].inverse_mass},
                          contact);
 }
@@ -69,15 +68,14 @@ template <int Dimension>
 }
 
 template <int Dimension>
-CAROM_FOR_PROCESSORS_WITH_FMA double PlainSpace<Dimension>::predict(Bodies& bodies, std::int32_t i,
-                                                                    double now) {
+double PlainSpace<Dimension>::predict(Bodies& bodies, std::int32_t i, double now) {
     return next_event(at(bodies, i), properties_[i].radius, now,
                       this->first_contact(bodies, i, now));
 }
 
 template <int Dimension>
-CAROM_FOR_PROCESSORS_WITH_FMA bool PlainSpace<Dimension>::predict_both(
-    Bodies& bodies, std::int32_t i, std::int32_t j, double now, std::array<double, 2>& when) {
+bool PlainSpace<Dimension>::predict_both(Bodies& bodies, std::int32_t i, std::int32_t j, double now,
+                                         std::array<double, 2>& when) {
     std::array<FirstContact, 2> contacts;
     if (!this->first_contacts(bodies, i, j, now, contacts)) return false;
     when = {next_event(at(bodies, i), properties_[i].radius, now, contacts[0]),
@@ -86,10 +84,8 @@ CAROM_FOR_PROCESSORS_WITH_FMA bool PlainSpace<Dimension>::predict_both(
 }
 
 template <int Dimension>
-CAROM_FOR_PROCESSORS_WITH_FMA double PlainSpace<Dimension>::predict_after_crossing(Bodies& bodies,
-                                                                                   std::int32_t i,
-                                                                                   int side,
-                                                                                   double now) {
+double PlainSpace<Dimension>::predict_after_crossing(Bodies& bodies, std::int32_t i, int side,
+                                                     double now) {
     return next_event(at(bodies, i), properties_[i].radius, now,
                       this->first_contact_after_crossing(bodies, i, side, now));
 }

@@ -12,6 +12,7 @@
 #include "physics/cells/pair_search.h"
 #include "physics/collision/lanes.h"
 #include "physics/collision/loop_types.h"
+#include "util/threads/processors.h"
 
 namespace carom {
 
@@ -31,20 +32,22 @@ class PlainSpace : public PairSearch<BodyState<Dimension>> {
     static Bodies bodies_of(const Particles& particles);
 
     /// Predicts the next event of a body, stores it in the body, and returns its local time.
-    double predict(Bodies& bodies, std::int32_t i, double now);
+    CAROM_FOR_PROCESSORS_WITH_FMA double predict(Bodies& bodies, std::int32_t i, double now);
 
     /// The same for two bodies that have just collided. Returns false without a result if they
     /// might meet again before either meets a third.
-    bool predict_both(Bodies& bodies, std::int32_t i, std::int32_t j, double now,
-                      std::array<double, 2>& when);
+    CAROM_FOR_PROCESSORS_WITH_FMA bool predict_both(Bodies& bodies, std::int32_t i, std::int32_t j,
+                                                    double now, std::array<double, 2>& when);
 
     /// The same for a body that has just crossed the side of a cell: the contact predicted before
     /// remains valid.
-    double predict_after_crossing(Bodies& bodies, std::int32_t i, int side, double now);
+    CAROM_FOR_PROCESSORS_WITH_FMA double predict_after_crossing(Bodies& bodies, std::int32_t i,
+                                                                int side, double now);
 
     /// Changes the velocities of two bodies in contact that have been advanced to the same time.
     /// Returns false if they do not approach (a grazing contact, due to round-off).
-    bool collide(Bodies& bodies, std::int32_t i, std::int32_t j, Contact<Dimension>& contact) const;
+    CAROM_FOR_PROCESSORS_WITH_FMA bool collide(Bodies& bodies, std::int32_t i, std::int32_t j,
+                                               Contact<Dimension>& contact) const;
 
   private:
     using Base::at, Base::box_, Base::grid_, Base::coincidences_, Base::properties_;

@@ -266,6 +266,7 @@ class EventLoop {
     void count_pair(const ClosedContact& contact, double impulse);
     void count_hit(const ClosedContact& contact, const typename AllContacts::Hit& hit);
     void note_touching(const std::vector<ClosedContact>& contacts, const Rounds& found);
+    void forget_touching(std::int32_t i);
     void follow_up(const std::array<std::int32_t, 2>& of_event, const Rounds& found,
                    const std::vector<Participant>& start);
     void push_surface(std::size_t k, const Vector& v);

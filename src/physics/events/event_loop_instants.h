@@ -119,7 +119,14 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::settle_instant(std::int32_t i, 
                                                                 bool is_random,
                                                                 Collision* collision) {
     const std::vector<ClosedContact> contacts = closed_contacts_around(i, j);
-    if (contacts.size() < (is_random ? 1 : 2)) return false;
+    if (contacts.size() < (is_random ? 1 : 2)) {
+        for (const std::int32_t k :
+             {i, j})  // which touch nothing else, as far as they can be moved
+            if (geometry_.properties(bodies_, static_cast<std::size_t>(k)).inverse_mass > 0.0)
+                forget_touching(k);
+        geometry_.coincidences().watch_always(!touching_.empty());
+        return false;
+    }
     Rounds found = rounds_of(contacts);
     if (!is_tie(found.rounds, is_random)) return false;
     const std::vector<Participant> start = found.rounds.participants();
@@ -208,19 +215,22 @@ void EventLoop<Dimension, Scalar, has_surfaces>::count_hit(const ClosedContact& 
 template <int Dimension, typename Scalar, bool has_surfaces>
 void EventLoop<Dimension, Scalar, has_surfaces>::note_touching(
     const std::vector<ClosedContact>& contacts, const Rounds& found) {
-    for (const auto& [k, unused] : found.bodies) {
-        const std::int32_t number = number_of(k);
-        while (true) {
-            const auto pair = touching_.lower_bound({number, a_surface});
-            if (pair == touching_.end() || pair->first != number) break;
-            const auto [first, second] = *pair;
-            touching_.erase({second, first});
-            touching_.erase({first, second});
-        }
-    }
+    for (const auto& [k, unused] : found.bodies) forget_touching(k);
     for (std::size_t c = 0; c < contacts.size(); ++c)
         if (!found.rounds.recedes(c)) add_touching(contacts[c]);
     geometry_.coincidences().watch_always(!touching_.empty());
+}
+
+template <int Dimension, typename Scalar, bool has_surfaces>
+void EventLoop<Dimension, Scalar, has_surfaces>::forget_touching(std::int32_t i) {
+    const std::int32_t number = number_of(i);
+    while (true) {
+        const auto pair = touching_.lower_bound({number, a_surface});
+        if (pair == touching_.end() || pair->first != number) return;
+        const auto [first, second] = *pair;
+        touching_.erase({second, first});
+        touching_.erase({first, second});
+    }
 }
 
 // Predicts what those whose velocity has changed do next, and the particles of the event.

@@ -16,7 +16,8 @@
 #endif
 
 /// The same for functions that use fma and vectors of four numbers (collision/lanes.h). Only GCC
-/// accepts the attribute at the definition of a function that was declared without it; and GCC 12
+/// accepts the attribute at the definition of a function that was declared without it; for a member
+/// of a class template it has to stand at the declaration, or it has no effect. And GCC 12
 /// fails on a version for a processor that is less capable than the one it compiles for anyway
 /// (-march=native).
 #if !defined(__clang__) && !(defined(__AVX2__) && defined(__FMA__))

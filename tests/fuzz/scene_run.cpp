@@ -49,6 +49,55 @@ const std::vector<Base>& bases() {
     return all;
 }
 
+// Boxes with three lengths: walls that act, gaps, obstacles under gravity, a reversal, demons.
+const std::vector<Base>& bases_in_space() {
+    static const std::vector<Base> all{
+        {"periodic-gas",
+         {"box={size: [12, 10, 8], walls: {left: {temperature: 2}, right: {velocity: -0.5, until: "
+          "2}, back: diffuse, top: {mass: 5, force: -3}}}",
+          "gas=[{name: a, count: 12, radius: 0.5, temperature: 1}]",
+          "run.events=[{at: 2, hold: top}, {at: 4, release: top}]",
+          "film.panels=[temperature, {kind: piston, surfaces: top}, {kind: profile, component: z}]",
+          "film.camera=[{at: 3, view: [0, 0, 0, 6, 5, 4]}]"}},
+        {"periodic-gas",
+         {"box={size: [12, 10, 8]}",
+          "partitions=[{name: window, x: 6, gaps: [[2, 2, 5, 5], [6, 2, 8, 7]]}, {name: lid, y: 8, "
+          "mass: 4}]",
+          "gas=[{name: a, count: 8, radius: 0.4, speed: 1, position: {within: [0, 0, 0, 6, 8, "
+          "8]}}, "
+          "{name: b, count: 3, radius: 0.6, mass: 4, temperature: 1, position: {within: [6, 0, 0, "
+          "12, 8, 8]}}]",
+          "run.events=[{at: 3, open: window}]",
+          "film.panels=[{kind: sides, surfaces: window}, flux, {kind: thermometer, regions: "
+          "[{name: low, within: [0, 0, 0, "
+          "6, "
+          "8, 4]}, {name: high, within: [0, 0, 4, 6, 8, 8]}]}]"}},
+        {"periodic-gas",
+         {"box={size: [12, 10, 8], walls: {left: periodic, right: periodic}}", "gravity=[0, -1, 0]",
+          "obstacles=[{name: ball, sphere: [5, 4, 4], radius: 1.5}, {name: block, cuboid: [8, 0, "
+          "2, "
+          "10, 3, 6]}]",
+          "gas=[{name: a, count: 8, radius: 0.4, speed: 2}]",
+          "film.panels=[energy-account, mean-free-path, {kind: flux, line: {z: 4, between: [1, 1, "
+          "7, "
+          "7]}}]"}},
+        {"periodic-gas",
+         {"box={size: [8, 8, 8]}",
+          "gas=[{name: a, count: 8, radius: 0.8, speed: 1}, {name: b, count: 4, radius: 0.3, mass: "
+          "0.2, temperature: 2}]",
+          "run.precision=auto", "run.events=[{at: 2, reverse: velocities}]",
+          "film.panels=[return-distance, entropy, speed-histogram]"}},
+        {"periodic-gas",
+         {"box={size: [14, 8, 8]}",
+          "partitions=[{name: demon, x: 7, gaps: [[3, 3, 5, 5]], passes: {to_right: {faster_than: "
+          "1}, to_left: {slower_than: 1}}}]",
+          "gas=[{name: a, count: 12, radius: 0.3, temperature: 1}]",
+          "run.events=[{at: 2, wall: front, temperature: 3}, {at: 3, nudge: {particle: 0, by: "
+          "[1e-6, 0, 0]}}]",
+          "film.panels=[temperature, mean-squared-displacement, orientational-order]"}}};
+    return all;
+}
+
 // A word of the scene language that has one of the forms, or almost has it.
 std::string value_of(const std::vector<Form>& forms, FuzzInput& input, int depth);
 
@@ -130,9 +179,31 @@ std::string change_of(const Section& scene, FuzzInput& input) {
     return path + "=" + value_of(key->forms, input, 0);
 }
 
-const Section& keys_of_scene() {
+const Section& keys_of_scene(int dimension) {
     static const Section plane = scene_table(panel_kinds(), 2).section();
-    return plane;
+    static const Section space = scene_table(panel_kinds(), 3).section();
+    return dimension == 2 ? plane : space;
+}
+
+constexpr std::size_t works = 3;  // a run, a frame, figures
+
+// What the first bytes of an input choose.
+struct FuzzCase {
+    const Base* base;
+    int dimension;
+    std::size_t work, kind;  // 1 to `works`; of the figures
+};
+
+FuzzCase case_of(FuzzInput& input) {
+    constexpr std::size_t first_in_space = 240;
+    const std::size_t first = input.byte(), kind = input.byte();
+    const std::size_t in_space = first - first_in_space;  // wraps around below
+    if (in_space < works * bases_in_space().size())
+        return {&bases_in_space()[in_space % bases_in_space().size()], 3,
+                in_space / bases_in_space().size() + 1, kind};
+    const std::size_t which = first % ((works + 1) * bases().size());
+    const std::size_t asked = which / bases().size();
+    return {&bases()[which % bases().size()], 2, asked == 0 ? kind % works + 1 : asked, kind};
 }
 
 // A list of up to three figures, of consecutive kinds from `first` on that show something of the
@@ -214,31 +285,28 @@ void draw_figures(const Scene& scene) {
 void test::fuzz(const std::uint8_t* data, std::size_t size) {
     constexpr std::size_t most = 12;
     FuzzInput input(data, size);
-    constexpr std::size_t works = 3;
-    const std::size_t which = input.below((works + 1) * bases().size());
-    const Base& base = bases()[which % bases().size()];
-    const std::size_t kind = input.byte();
-    const std::size_t asked = which / bases().size(), work = asked == 0 ? kind % works + 1 : asked;
+    const FuzzCase chosen = case_of(input);
     const double at = input.byte() / 255.0;
     Overrides changes{"run={until: 8}", "film={size: [160, 120], fps: 3, seconds: 4}",
                       "figures=[]"};
-    changes.insert(changes.end(), base.smaller.begin(), base.smaller.end());
+    changes.insert(changes.end(), chosen.base->smaller.begin(), chosen.base->smaller.end());
     static const SceneResources resources = scene_resources();
-    const std::filesystem::path path = library_folder() / (std::string(base.name) + ".yaml");
+    const std::filesystem::path path =
+        library_folder() / (std::string(chosen.base->name) + ".yaml");
     Scene scene;
     const bool is_whole = input.is_at_end();
     for (std::size_t k = 0; k < most && !input.is_at_end(); ++k)
-        changes.push_back(change_of(keys_of_scene(), input));
+        changes.push_back(change_of(keys_of_scene(chosen.dimension), input));
     if (!test::succeeds([&] { scene = load_scene(path, resources, changes); })) {
         if (is_whole) std::abort();
         return;
     }
     if (!is_small(scene)) return;
-    if (work == 1) run_for_a_while([&] { run_physics(scene); });
-    if (work == 2) run_for_a_while([&] { draw_frame(scene, at * scene.run.until); });
-    if (work == 3)
+    if (chosen.work == 1) run_for_a_while([&] { run_physics(scene); });
+    if (chosen.work == 2) run_for_a_while([&] { draw_frame(scene, at * scene.run.until); });
+    if (chosen.work == 3)
         run_for_a_while([&] {
-            changes.push_back(figures_of(scene, kind));
+            changes.push_back(figures_of(scene, chosen.kind));
             draw_figures(load_scene(path, resources, changes));
         });
 }

@@ -198,8 +198,9 @@ double diffusion_of_spheres(double density, double diameter, double temperature,
     const double viscosity = of_viscosity * 0.3125 * std::sqrt(mass * temperature / pi) /
                              (diameter * diameter) *
                              (1.0 / contact + covered * (0.8 + 0.761 * covered * contact));
-    return enskog * (1.0 + x * (0.05403 + x * (6.3656 - 10.9425 * x))) -
-           2.837297 * temperature / (6.0 * pi * viscosity * side);
+    const double unbounded = enskog * (1.0 + x * (0.05403 + x * (6.3656 - 10.9425 * x)));
+    return unbounded -
+           2.837297 * temperature / (6.0 * pi * (viscosity + mass * density * unbounded) * side);
 }
 
 double collisions_per_time(const BoxedGas& gas) {

@@ -60,8 +60,10 @@ double packing_fraction(const Box& box, const Particles& particles);
 /// 0.05403 x + 6.3656 x^2 - 10.9425 x^3 with x = n d^3 / sqrt(2), which Erpenbeck and Wood (Phys.
 /// Rev. A 43, 4254, 1991) fitted to molecular dynamics up to x = 0.625, for what collisions one
 /// after the other have in common. Periodic images slow down what a sphere drags along, so that a
-/// cube with the sides L has less by 2.837297 T / (6 pi v L) with the viscosity v (Yeh and Hummer,
-/// J. Phys. Chem. B 108, 15873, 2004), for which Enskog's is taken; L may be infinite. The mean
+/// cube with the sides L has less by 2.837297 T / (6 pi (v + m n D) L) with the viscosity v, for
+/// which Enskog's is taken: mode coupling, where the vortex and the sphere in it both diffuse
+/// (Erpenbeck and Wood, Phys. Rev. A 26, 1648, 1982); in a liquid, where v is the larger by far, it
+/// is that of Yeh and Hummer (J. Phys. Chem. B 108, 15873, 2004). L may be infinite. The mean
 /// squared displacement grows as 6 D t. Within 5 % of runs of 256 spheres.
 double diffusion_of_spheres(double density, double diameter, double temperature, double mass,
                             double side);

@@ -52,6 +52,15 @@ inline std::pair<Particles, Sample> start_of(const std::vector<Sphere>& spheres)
     return {std::move(particles), std::move(sample)};
 }
 
+/// Spheres or, in a plane, disks at their x and y.
+inline Simulation simulation_of_bodies(const Box& box, const std::vector<Sphere>& spheres,
+                                       const Run& run = {}) {
+    auto [particles, sample] = start_of(spheres);
+    for (auto* array : {&sample.position, &sample.velocity})
+        *array = array->leftCols(box.dimension).eval();
+    return Simulation(box, std::move(particles), std::move(sample), run);
+}
+
 inline Simulation simulation_of(const Box& box, const std::vector<Disk>& disks,
                                 const Run& run = {}) {
     auto [particles, sample] = start_of(box.dimension, disks);

@@ -35,4 +35,22 @@ inline Gas equal_spheres(double packing, std::int64_t count) {
     return gas;
 }
 
+/// Disks or spheres that become a fluid: at exactly this temperature, spheres on a simple cubic
+/// lattice, which falls to pieces at any packing, up to 0.52. Their number is that of a cube.
+inline Gas equal_particles(int dimension, double packing, std::int64_t count, std::uint64_t seed) {
+    Gas gas = dimension == 2 ? equal_disks(packing, count) : equal_spheres(packing, count);
+    gas.seed = seed;
+    gas.species[0].velocity = Temperature{1.0, true};
+    if (dimension == 2) return gas;
+    Places places;
+    const double along = std::round(std::cbrt(static_cast<double>(count)));
+    const double spacing = gas.box.size[0] / along;
+    for (double x = 0.5; x < along; ++x)
+        for (double y = 0.5; y < along; ++y)
+            for (double z = 0.5; z < along; ++z)
+                places.values.push_back({x * spacing, y * spacing, z * spacing});
+    gas.species[0].position = places;
+    return gas;
+}
+
 }  // namespace carom::test

@@ -1,4 +1,5 @@
-// Equation of state, collision rate and mean free path of the fluid of equal hard disks.
+// Equation of state of the fluid of equal hard disks or spheres, collision rate and mean free path
+// of that of disks.
 #pragma once
 
 #include <cmath>
@@ -10,11 +11,13 @@
 namespace carom::test {
 
 /// Z - 1, where Z = P A / (N T) is the compressibility factor, from Kolafa and Rottner 2006, eq.
-/// (7); valid up to a packing fraction of 0.70.
-inline double excess_compressibility(double packing) {
+/// (7); valid up to a packing fraction of 0.70. In space, with the volume for A, from Kolafa, Labik
+/// and Malijevsky 2004; valid up to 0.494.
+inline double excess_compressibility(double packing, int dimension = 2) {
     const double x = packing / (1.0 - packing);
     double sum = -1.0;
-    for (const auto& row : reference_rows("eos_hard_disk_kr_coefficients.csv"))
+    for (const auto& row : reference_rows(dimension == 2 ? "eos_hard_disk_kr_coefficients.csv"
+                                                         : "eos_hard_sphere_klm_coefficients.csv"))
         sum += std::stod(row[1]) * std::pow(x, std::stoi(row[0]));
     return sum;
 }

@@ -19,6 +19,11 @@ inline Box cube_of(double side, Wall wall = Wall::solid) {
     return space_of({side, side, side}, {wall, wall, wall});
 }
 
+/// A box in so many dimensions, with the first of these lengths and with walls.
+inline Box box_of(int dimension, const Vec& size) {
+    return dimension == 3 ? space_of(size) : Box{dimension, {size[0], size[1]}, {}};
+}
+
 /// A partition with one gap.
 inline Partition window(int axis, double at, const Gap& gap) {
     return {.name = "window", .axis = axis, .at = at, .gaps = {gap}};

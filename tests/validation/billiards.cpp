@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "physics/gas.h"
+#include "physics/sampling/directions.h"
 #include "physics/simulation.h"
 #include "stats/displacements.h"
 #include "support/bodies.h"
+#include "support/space.h"
 #include "util/random.h"
 #include "validation/study.h"
 
@@ -19,10 +21,16 @@ using std::numbers::pi;
 constexpr const char* billiards_field = "Billiards and the Lorentz gas";
 
 /// The mean free path of a point of speed 1 between hits, started in a random direction.
-double mean_path(const Box& box, double x, double y, const RunOf& run) {
-    const double angle = Random(run.seed, "direction of a point").uniform(0.0, 2.0 * pi);
-    Simulation simulation =
-        test::simulation_of(box, {{x, y, std::cos(angle), std::sin(angle), 0.0, 1.0}});
+double mean_path(const Box& box, const Vec& place, const RunOf& run) {
+    Random random(run.seed, "direction of a point");
+    Vec direction;
+    if (box.dimension == 3) {
+        direction = random_direction(random);
+    } else {
+        const double angle = random.uniform(0.0, 2.0 * pi);
+        direction = {std::cos(angle), std::sin(angle)};
+    }
+    Simulation simulation = test::simulation_of_bodies(box, {{place, direction, 0.0, 1.0}});
     const double time = 200'000.0 * run.effort;
     simulation.advance_to(time);
     double hits = 0.0;
@@ -31,19 +39,25 @@ double mean_path(const Box& box, double x, double y, const RunOf& run) {
     return time / hits;
 }
 
-Study sinai() {
+Study sinai(int dimension) {
     constexpr double length = 3.0, radius = 0.8;
     Study study;
     study.field = billiards_field;
     study.runs = 24;
-    study.truths = {{"mean free path of Sinai’s billiard, *L* = 3, *R* = 0.8",
-                     (length * length - pi * radius * radius) / (2.0 * radius), 0.0, 0.0,
-                     "exact: (*L*² − π*R*²)/2*R*; N. Chernov, J. Stat. Phys. 88, 1 (1997)"}};
+    const double room = std::pow(length, dimension) - content_of_ball(radius, dimension);
+    study.truths = {
+        {dimension == 2
+             ? "mean free path of Sinai’s billiard, *L* = 3, *R* = 0.8"
+             : "mean free path among fixed spheres in a cubic lattice, *L* = 3, *R* = 0.8",
+         room / content_of_ball(radius, dimension - 1), 0.0, 0.0,
+         dimension == 2 ? "exact: (*L*² − π*R*²)/2*R*; N. Chernov, J. Stat. Phys. 88, 1 (1997)"
+                        : "exact: (*L*³ − (4/3)π*R*³)/π*R*²; the same"}};
     study.measure = [=](const RunOf& run) {
-        Box box{
-            .dimension = 2, .size = {length, length}, .walls = {Wall::periodic, Wall::periodic}};
-        box.surfaces.obstacles = {{"disk", Obstacle::Ball{{1.5, 1.5}, radius}}};
-        return std::vector<double>{mean_path(box, 0.1, 0.2, run)};
+        Box box = test::box_of(dimension, {length, length, length});
+        box.walls = {Wall::periodic, Wall::periodic, Wall::periodic};
+        box.surfaces.obstacles = {
+            {"ball", Obstacle::Ball{{1.5, 1.5, dimension == 2 ? 0.0 : 1.5}, radius}}};
+        return std::vector<double>{mean_path(box, {0.1, 0.2, dimension == 2 ? 0.0 : 0.3}, run)};
     };
     return study;
 }
@@ -61,7 +75,73 @@ Study any_billiard() {
         box.surfaces.obstacles = {
             {"wedge", Obstacle::Lines{{{1.0, 1.0}, {3.0, 1.0}, {2.0, 2.0}}, true}},
             {"peg", Obstacle::Ball{{0.8, 2.2}, 0.3}}};
-        return std::vector<double>{mean_path(box, 0.5, 0.5, run)};
+        return std::vector<double>{mean_path(box, {0.5, 0.5}, run)};
+    };
+    return study;
+}
+
+Study any_billiard_in_space() {
+    Study study;
+    study.field = billiards_field;
+    study.runs = 24;
+    const double volume = 4.0 * 3.0 * 2.5 - 2.0 - content_of_ball(0.5, 3);
+    const double surface = 2.0 * (12.0 + 10.0 + 7.5) + 2.0 * (2.0 + 2.0 + 1.0) + pi;
+    study.truths = {{"mean free path in a box with a cuboid and a sphere", 4.0 * volume / surface,
+                     0.0, 0.0, "exact: 4 volume/surface; the same"}};
+    study.measure = [=](const RunOf& run) {
+        Box box = test::space_of({4.0, 3.0, 2.5});
+        box.surfaces.obstacles = {{"block", Obstacle::Cuboid{{1.0, 0.7, 0.6}, {3.0, 1.7, 1.6}}},
+                                  {"ball", Obstacle::Ball{{0.8, 2.3, 1.8}, 0.5}}};
+        return std::vector<double>{mean_path(box, {0.5, 0.5, 0.5}, run)};
+    };
+    return study;
+}
+
+/// The cosine law keeps a uniform and isotropic gas as it is.
+Study between_diffuse_walls() {
+    Study study;
+    study.field = billiards_field;
+    study.runs = 24;
+    study.truths = {{"mean free path between the diffuse walls of a box of 5 × 4 × 3",
+                     4.0 * 60.0 / (2.0 * (20.0 + 12.0 + 15.0)), 0.0, 0.0,
+                     "exact: 4 volume/surface; the same"}};
+    study.measure = [=](const RunOf& run) {
+        Box box = test::space_of({5.0, 4.0, 3.0});
+        box.surfaces.sides.fill(Diffuse{});
+        return std::vector<double>{mean_path(box, {0.5, 0.5, 0.5}, run)};
+    };
+    return study;
+}
+
+/// Points among spheres of radius 1 at random places, which may overlap.
+Study lorentz_in_space() {
+    constexpr double density = 0.005;
+    constexpr int scatterers = 1000, count = 400;
+    Study study;
+    study.field = billiards_field;
+    study.runs = 24;
+    study.truths = {{"mean free path of points among random spheres, over 1/(π*nR*²)", 1.0, 0.0,
+                     0.0,
+                     "exact: 4 volume/surface, where random spheres leave e^(−(4/3)π*nR*³) of both "
+                     "the volume and their surfaces"}};
+    study.measure = [=](const RunOf& run) {
+        const double side = std::cbrt(scatterers / density);
+        Gas gas;
+        gas.seed = run.seed;
+        gas.box = test::cube_of(side, Wall::periodic);
+        Random random(run.seed, "scatterers");
+        const auto place = [&] { return random.uniform(0.0, side); };
+        for (int k = 0; k < scatterers; ++k)
+            gas.box.surfaces.obstacles.push_back(
+                {"sphere " + std::to_string(k), Obstacle::Ball{{place(), place(), place()}, 1.0}});
+        gas.species = {{.name = "", .count = count, .radius = 0.0, .velocity = Speed{1.0}}};
+        Simulation simulation(gas, {});
+        const double time = 12'000.0 * run.effort;
+        simulation.advance_to(time);
+        double hits = 0.0;
+        for (const SurfaceState& surface : simulation.surfaces())
+            hits += static_cast<double>(surface.hits);
+        return std::vector<double>{count * time / hits * pi * density};
     };
     return study;
 }
@@ -134,6 +214,10 @@ Study lorentz() {
 
 }  // namespace
 
-std::vector<Study> billiards() { return {sinai(), any_billiard(), lorentz()}; }
+std::vector<Study> billiards() {
+    return {sinai(2),          any_billiard(),          lorentz(),
+            sinai(3),          any_billiard_in_space(), between_diffuse_walls(),
+            lorentz_in_space()};
+}
 
 }  // namespace carom::validation

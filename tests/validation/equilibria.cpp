@@ -7,6 +7,7 @@
 #include "physics/mechanics.h"
 #include "physics/simulation.h"
 #include "support/csv.h"
+#include "support/space.h"
 #include "validation/study.h"
 
 namespace carom::validation {
@@ -26,11 +27,12 @@ double moment(const std::string& ensemble, int count, Column column) {
     throw std::runtime_error("no moment of " + ensemble);
 }
 
-Gas few_disks(int count, Wall wall, std::uint64_t seed) {
+/// Disks or spheres.
+Gas few_bodies(int dimension, int count, Wall wall, std::uint64_t seed) {
     Gas gas;
     gas.seed = seed;
-    gas.box.size = {4.0, 3.5};
-    gas.box.walls = {wall, wall};
+    gas.box = test::box_of(dimension, {4.0, 3.5, 3.0});
+    gas.box.walls = {wall, wall, wall};
     gas.species = {{.name = "", .count = count, .radius = 0.3, .velocity = Speed{1.0}}};
     return gas;
 }
@@ -60,38 +62,48 @@ constexpr const char* of_sphere =
     "exact: momenta are uniform on the sphere of energy; "
     "`tests/reference/microcanonical_moments.csv`";
 
-Study disks_between_walls(int count) {
+/// The rows of a table of moments.
+std::string ensemble_of(int dimension, const char* ends) {
+    return std::to_string(dimension) + "D " + ends;
+}
+
+Study between_walls(int dimension, int count) {
     Study study;
     study.field = equilibria_field;
     study.runs = 20;
-    const std::string of = " of " + std::to_string(count) + " disks between walls";
+    const std::string of = " of " + std::to_string(count) +
+                           (dimension == 2 ? " disks" : " spheres") + " between walls";
+    const std::string walls = ensemble_of(dimension, "walls");
     study.truths = {
-        {"mean speed over √*T*" + of, moment("2D walls", count, mean_speed), 0.0, 0.0, of_sphere},
-        {"mean square of the share of the energy" + of, moment("2D walls", count, mean_f2), 0.0,
-         0.0, of_sphere},
-        {"kurtosis of a component of velocity" + of, moment("2D walls", count, kurtosis), 0.0, 0.0,
+        {"mean speed over √*T*" + of, moment(walls, count, mean_speed), 0.0, 0.0, of_sphere},
+        {"mean square of the share of the energy" + of, moment(walls, count, mean_f2), 0.0, 0.0,
+         of_sphere},
+        {"kurtosis of a component of velocity" + of, moment(walls, count, kurtosis), 0.0, 0.0,
          of_sphere}};
-    study.measure = [count](const RunOf& run) {
-        return moments(Simulation(few_disks(count, Wall::solid, run.seed), {}), 2.0 * count,
-                       run.effort);
+    study.measure = [=](const RunOf& run) {
+        return moments(Simulation(few_bodies(dimension, count, Wall::solid, run.seed), {}),
+                       dimension * count, run.effort);
     };
     return study;
 }
 
-Study disks_in_a_periodic_box() {
+Study in_a_periodic_box(int dimension) {
     Study study;
     study.field = equilibria_field;
     study.runs = 20;
-    study.truths = {{"mean speed over √*T* of 5 disks in a periodic box, total momentum 0",
-                     moment("2D periodic", 5, mean_speed), 0.0, 0.0, of_sphere},
-                    {"mean square of the share of the energy, the same",
-                     moment("2D periodic", 5, mean_f2), 0.0, 0.0, of_sphere},
-                    {"kurtosis of a component of velocity, the same",
-                     moment("2D periodic", 5, kurtosis), 0.0, 0.0, of_sphere}};
+    const std::string periodic = ensemble_of(dimension, "periodic");
+    study.truths = {
+        {std::string("mean speed over √*T* of 5 ") + (dimension == 2 ? "disks" : "spheres") +
+             " in a periodic box, total momentum 0",
+         moment(periodic, 5, mean_speed), 0.0, 0.0, of_sphere},
+        {"mean square of the share of the energy, the same", moment(periodic, 5, mean_f2), 0.0, 0.0,
+         of_sphere},
+        {"kurtosis of a component of velocity, the same", moment(periodic, 5, kurtosis), 0.0, 0.0,
+         of_sphere}};
     study.measure = [=](const RunOf& run) {
-        Gas gas = few_disks(5, Wall::periodic, run.seed);
+        Gas gas = few_bodies(dimension, 5, Wall::periodic, run.seed);
         gas.species[0].velocity = Temperature{1.0};  // at total momentum 0
-        return moments(Simulation(gas, {}), 2.0 * (5 - 1), run.effort);
+        return moments(Simulation(gas, {}), dimension * (5 - 1), run.effort);
     };
     return study;
 }
@@ -130,11 +142,12 @@ Study equipartition() {
 }  // namespace
 
 std::vector<Study> equilibria() {
-    std::vector<Study> all{disks_between_walls(3), disks_between_walls(10),
-                           disks_in_a_periodic_box(), equipartition()};
+    std::vector<Study> all{between_walls(2, 3), between_walls(2, 10), in_a_periodic_box(2),
+                           equipartition(),     between_walls(3, 3),  in_a_periodic_box(3)};
     all[0].how =
-        "Disks of radius 0.3 in a box of 4 × 3.5, sampled 30,000 times in each run. In a periodic "
-        "box *T* = *E*/(*N* − 1), between walls *E*/*N*.";
+        "Disks of radius 0.3 in a box of 4 × 3.5, spheres in one of 4 × 3.5 × 3, sampled 30,000 "
+        "times in each run. In a periodic box in *d* dimensions *T* = 2*E*/*d*(*N* − 1), between "
+        "walls 2*E*/*dN*.";
     return all;
 }
 

@@ -9,7 +9,7 @@
 #include "physics/gas.h"
 #include "physics/mechanics.h"
 #include "physics/simulation.h"
-#include "validation/hard_disks.h"
+#include "validation/hard_fluids.h"
 #include "validation/study.h"
 
 namespace carom::validation {
@@ -38,8 +38,9 @@ Gas gas_in(double length, double width, double packing, std::uint64_t seed) {
 /// The square of the speed of sound is c^2 = T (Z + packing Z' + Z^2) / m, as the heat capacity per
 /// disk is 1.
 double speed_of_sound(double packing) {
-    const double z = kolafa_rottner(packing);
-    return std::sqrt(z + packing * derivative(kolafa_rottner, packing) + z * z);
+    const auto fluid = [](double x) { return compressibility_of(2, x); };
+    const double z = fluid(packing);
+    return std::sqrt(z + packing * derivative(fluid, packing) + z * z);
 }
 
 /// The angular frequency w of a damped oscillation: fits (a cos wt + b sin wt) exp(-gt) to the
@@ -127,7 +128,7 @@ struct Shock {
 
 Shock shock_of(double density, double piston) {
     const auto packing = [](double n) { return 0.25 * pi * n; };
-    const double before = density * kolafa_rottner(packing(density));
+    const double before = density * compressibility_of(2, packing(density));
     double low = density * 1.0001, high = 0.7 / packing(1.0);
     Shock shock{};
     while (high - low > 1e-12) {
@@ -136,7 +137,8 @@ Shock shock_of(double density, double piston) {
         shock.pressure = before + density * shock.speed * piston;
         const double temperature =
             1.0 + 0.5 * (before + shock.pressure) * (1.0 / density - 1.0 / shock.density);
-        const double gas = shock.density * temperature * kolafa_rottner(packing(shock.density));
+        const double gas =
+            shock.density * temperature * compressibility_of(2, packing(shock.density));
         (gas < shock.pressure ? low : high) = shock.density;
     }
     return shock;

@@ -1,12 +1,13 @@
 // Validation of gases under gravity.
 #include <cmath>
-#include <numbers>
+#include <string>
 #include <vector>
 
 #include "physics/gas.h"
 #include "physics/mechanics.h"
 #include "physics/simulation.h"
 #include "support/bodies.h"
+#include "support/space.h"
 #include "validation/study.h"
 
 namespace carom::validation {
@@ -15,39 +16,61 @@ namespace {
 
 constexpr const char* gravity_field = "Gravity";
 
-/// N disks in a box without a lid. The law of Roman, White and Velasco holds for points. Disks of
-/// radius r cannot overlap, which to first order raises the mean height by e / 4N, where
-/// e = N (N - 1) / 2 times the area pi (2r)^2 over the width.
-Study column() {
+/// The mean of a power k of the height of one of N particles of the energy E at m g = 1 between
+/// walls, to first order in their excluded content over the width or area of the column. Points
+/// have (1 - z / E)^(m - 2) with m = (d / 2 + 1) N (Roman, White and Velasco). Two that cannot
+/// overlap are less often at the same height. In the Laplace transform of the density of states,
+/// beta^-m of points, the integral k! / beta^(k + 1) over one height, and 1 / beta over another,
+/// give way to k! / (2 beta)^(k + 1) of this pair; the others lose half a power of beta.
+double moment_of_height(int dimension, double count, double energy, int power, double excluded) {
+    const double m = (0.5 * dimension + 1.0) * count, own = count - 1.0,
+                 others = 0.5 * own * (count - 2.0);
+    const auto states = [&](double exponent) {
+        return std::exp((exponent - 1.0) * std::log(energy) - std::lgamma(exponent));
+    };
+    const double norm = states(m) - 0.5 * excluded * (own + others) * states(m - 1.0);
+    const double sum = states(m + power) - excluded *
+                                               (own * std::pow(0.5, power + 1.0) + 0.5 * others) *
+                                               states(m - 1.0 + power);
+    return std::tgamma(power + 1.0) * sum / norm;
+}
+
+/// N disks or spheres in a box without a lid, which are not points.
+Study column(int dimension) {
     constexpr int count = 6;
-    constexpr double radius = 0.004, speed = 1.5;
+    constexpr double speed = 1.5;
+    const double radius = dimension == 2 ? 0.004 : 0.03;
     Study study;
     study.field = gravity_field;
     study.runs = 24;
-    study.how =
-        "Of the column *E* is *mg* times the mean height of a run’s start and its kinetic energy; "
-        "rows are in units of the exact values at this *E*. The disks (radius 0.004 in a width of "
-        "1) cannot overlap, which raises the mean height by *N*(*N* − 1)/2 · 4π*r*²/(4*NW*), 0.02 "
-        "%, and is included.";
-    const char* source =
-        "F. L. Román, J. A. White, S. Velasco, Eur. J. Phys. 16, 83 (1995): *p*(*z*) ∝ (1 − "
-        "*mgz*/*E*)^(2*N* − 2)";
+    if (dimension == 2)
+        study.how =
+            "Of the columns *E* is *mg* times the mean height of a run’s start and its kinetic "
+            "energy; heights are in units of the exact values at this *E*. The disks (radius 0.004 "
+            "in a width of 1) and spheres (0.03 in 1 × 1) cannot overlap, which raises the mean "
+            "height by 0.02 and 0.1 %, to first order, and is included.";
+    const char* source = dimension == 2
+                             ? "F. L. Román, J. A. White, S. Velasco, Eur. J. Phys. 16, 83 (1995): "
+                               "*p*(*z*) ∝ (1 − *mgz*/*E*)^(2*N* − 2)"
+                             : "the same with 3*N* degrees of freedom: *p*(*z*) ∝ (1 − "
+                               "*mgz*/*E*)^(5*N*/2 − 2)";
+    const std::string body = dimension == 2 ? "disks" : "spheres";
     study.truths = {
-        {"mean height of 6 disks without a lid, over *E*/(2*Nmg*)", 1.0, 0.0, 0.0, source},
-        {"their mean square height, over 2(*E*/*mg*)²/(2*N*(2*N* + 1))", 1.0, 0.0, 0.0, source},
-        {"mean kinetic energy at heights of (0.1 to 0.3) *E*/*mg*, over (*E* − "
-         "*mgz*)/(2*N* − 1)",
+        {"mean height of 6 " + body + " without a lid", 1.0, 0.0, 0.0, source},
+        {"mean square height of 6 " + body + " without a lid", 1.0, 0.0, 0.0, source},
+        {std::string("mean kinetic energy at heights of (0.1 to 0.3) *E*/*mg*, over (*E* − ") +
+             (dimension == 2 ? "*mgz*)/(2*N* − 1)" : "*mgz*)·(3/2)/(5*N*/2 − 1)"),
          1.0, 0.0, 0.0, source}};
     study.measure = [=](const RunOf& run) {
         Gas gas;
         gas.seed = run.seed;
-        gas.box.size = {1.0 + 2.0 * radius, 60.0};
+        gas.box = test::box_of(dimension, {1.0 + 2.0 * radius, 60.0, 1.0 + 2.0 * radius});
         gas.box.surfaces.gravity = {0.0, -1.0};
         gas.species = {{.name = "",
                         .count = count,
                         .radius = radius,
                         .velocity = Speed{speed},
-                        .position = WithinRegion{{{0.0, 0.0}, {1.0, 1.0}}}}};
+                        .position = WithinRegion{{{}, {1.0, 1.0, dimension == 2 ? 0.0 : 1.0}}}}};
         Run how;
         how.equilibrate = 300.0;
         Simulation simulation(gas, how);
@@ -63,15 +86,14 @@ Study column() {
                 squares += z * z / (count * samples);
                 if (z < 0.1 * energy || z > 0.3 * energy) continue;
                 kinetic += 0.5 * now.velocity.row(i).square().sum();
-                expected += (energy - z) / (2.0 * count - 1.0);
+                expected +=
+                    (energy - z) * 0.5 * dimension / ((0.5 * dimension + 1.0) * count - 1.0);
             }
         }
-        const double overlap =
-            0.5 * count * (count - 1.0) * 4.0 * std::numbers::pi * radius * radius;
-        const double mean = energy / (2.0 * count) + overlap / (4.0 * count);
+        const double excluded = content_of_ball(2.0 * radius, dimension);
         return std::vector<double>{
-            height / mean, squares / (2.0 * energy * energy / (2.0 * count * (2.0 * count + 1.0))),
-            kinetic / expected};
+            height / moment_of_height(dimension, count, energy, 1, excluded),
+            squares / moment_of_height(dimension, count, energy, 2, excluded), kinetic / expected};
     };
     return study;
 }
@@ -99,6 +121,6 @@ Study bouncing() {
 
 }  // namespace
 
-std::vector<Study> gravity() { return {column(), bouncing()}; }
+std::vector<Study> gravity() { return {column(2), bouncing(), column(3)}; }
 
 }  // namespace carom::validation

@@ -1,15 +1,16 @@
 // Validation of pistons and driven walls.
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <string>
 #include <vector>
 
 #include "physics/gas.h"
 #include "physics/mechanics.h"
 #include "physics/simulation.h"
 #include "support/bodies.h"
+#include "support/space.h"
 #include "util/random.h"
-#include "validation/hard_disks.h"
+#include "validation/hard_fluids.h"
 #include "validation/study.h"
 
 namespace carom::validation {
@@ -40,42 +41,47 @@ double mean_height(Simulation& simulation, std::int32_t piston, double step, dou
     return sum;
 }
 
-/// The height of the piston has the density p(h) ~ h^N (E - F h)^(N - 1/2), where h^N is corrected
-/// for the size of the disks.
-Study piston_on_a_plane() {
+/// The height of the piston has the density p(h) ~ h^N (E - F h)^((d N - 1) / 2), where h^N is
+/// corrected for the size of the disks or spheres.
+Study piston_on_a_gas(int dimension) {
     constexpr int count = 5;
-    constexpr double radius = 0.02, width = 1.0, force = 2.0, start = 4.0, mass = 3.0;
+    constexpr double width = 1.0, force = 2.0, start = 4.0, mass = 3.0;
     constexpr double energy = 0.5 * count * 1.0 + force * start;
+    const double radius = dimension == 2 ? 0.02 : 0.05;
     Study study;
     study.field = pistons_field;
     study.runs = 24;
     const double reach = energy / force;
     const auto room = [=](double h) {
-        const double a = std::max(0.0, h - 2.0 * radius), b = width;
+        const double a = std::max(0.0, h - 2.0 * radius);
         if (a < 2.0 * radius) return 0.0;
         const double pairs = 0.5 * count * (count - 1.0);
-        return std::pow(a, count) * (1.0 - pairs * excluded(a, b, 2.0 * radius) / (a * a * b * b));
+        return std::pow(a, count) *
+               (1.0 - pairs * excluded_share(dimension, {a, width, width}, 2.0 * radius));
     };
     const auto density = [=](double h) {
-        return room(h) * std::pow(energy - force * h, count - 0.5);
+        return room(h) * std::pow(energy - force * h, 0.5 * (dimension * count - 1.0));
     };
+    const double of_points = reach * (count + 1.0) / ((0.5 * dimension + 1.0) * count + 1.5);
     study.truths = {
-        {"mean height of a piston under a force on 5 disks, over (*E*/*F*)(*N* + "
-         "1)/(2*N* + 3/2)",
-         mean_of(density, reach) / (reach * (count + 1.0) / (2.0 * count + 1.5)), 0.0, 0.0,
-         "exact: *p*(*h*) ∝ *h*ᴺ(*E* − *Fh*)^(*N* − ½), with the room of disks of "
-         "radius 0.02 (second virial)"}};
+        {std::string("mean height of a piston under a force on 5 ") +
+             (dimension == 2 ? "disks, over (*E*/*F*)(*N* + 1)/(2*N* + 3/2)"
+                             : "spheres, over (*E*/*F*)(*N* + 1)/(5*N*/2 + 3/2)"),
+         mean_of(density, reach) / of_points, 0.0, 0.0,
+         dimension == 2 ? "exact: *p*(*h*) ∝ *h*ᴺ(*E* − *Fh*)^(*N* − ½), with the room of disks of "
+                          "radius 0.02 (second virial)"
+                        : "exact: *p*(*h*) ∝ *h*ᴺ(*E* − *Fh*)^((3*N* − 1)/2), with the room of "
+                          "spheres of radius 0.05 (second virial)"}};
     study.measure = [=](const RunOf& run) {
         Gas gas;
         gas.seed = run.seed;
-        gas.box.size = {width + 2.0 * radius, start};
+        gas.box = test::box_of(dimension, {width + 2.0 * radius, start, width + 2.0 * radius});
         gas.box.surfaces.sides[3] = Piston{mass, -force, 0.0};
         gas.species = {{.name = "", .count = count, .radius = radius, .velocity = Speed{1.0}}};
         Run how;
         how.equilibrate = 500.0;
         Simulation simulation(gas, how);
-        return std::vector<double>{mean_height(simulation, 3, 5.3, run.effort) /
-                                   (reach * (count + 1.0) / (2.0 * count + 1.5))};
+        return std::vector<double>{mean_height(simulation, 3, 5.3, run.effort) / of_points};
     };
     return study;
 }
@@ -108,31 +114,44 @@ Study piston_on_a_wire() {
     return study;
 }
 
-/// T V, or T L^2 in one dimension, after a wall has halved the volume at this speed, relative to
-/// its value before.
+/// T V^(2/d) in d dimensions, after a wall has halved the room V at this speed, relative to its
+/// value before.
 double kept(int dimension, double speed, std::uint64_t seed) {
-    constexpr double size = 10.0, radius = 0.03;
+    const double size = dimension == 3 ? 5.0 : 10.0;
+    const double radius = dimension == 1 ? 0.0 : dimension == 2 ? 0.03 : 0.1;
+    const int count = dimension == 1 ? 20 : 50;
     Gas gas;
     gas.seed = seed;
-    gas.box.dimension = dimension;
-    gas.box.size = {size, dimension == 1 ? 0.0 : size};
+    gas.box = test::box_of(dimension, {size, dimension == 1 ? 0.0 : size, size});
     gas.box.surfaces.sides[1] = Driven{-speed, 0.5 * size / speed};
-    gas.species = {{.name = "",
-                    .count = dimension == 1 ? 20 : 50,
-                    .radius = dimension == 1 ? 0.0 : radius,
-                    .velocity = Temperature{1.0}}};
+    gas.species = {{.name = "", .count = count, .radius = radius, .velocity = Temperature{1.0}}};
     Simulation simulation(gas, {});
     const double before = simulation.energy_account().kinetic;
     simulation.advance_to(0.5 * size / speed);
     const double ratio = simulation.energy_account().kinetic / before;
-    if (dimension == 1) return ratio / 4.0;
-    // The adiabatic invariant is E^N Q, where Q is the configuration integral of all disks.
+    // The adiabatic invariant is E^(d N / 2) Q, where Q is the configuration integral of all.
     const auto logarithm = [&](double length) {
-        const double a = length - 2.0 * radius, b = size - 2.0 * radius;
-        const double share = excluded(a, b, 2.0 * radius) / (a * a * b * b);
-        return std::log(a * b) + 0.5 * (50.0 - 1.0) * std::log1p(-share);
+        const double b = size - 2.0 * radius;
+        const Vec sides{length - 2.0 * radius, b, b};
+        const double share = dimension == 1 ? 0.0 : excluded_share(dimension, sides, 2.0 * radius);
+        return std::log(sides[0]) + 0.5 * (count - 1.0) * std::log1p(-share);
     };
-    return ratio * std::exp(logarithm(0.5 * size) - logarithm(size));
+    return ratio * std::exp(2.0 / dimension * (logarithm(0.5 * size) - logarithm(size)));
+}
+
+/// At two speeds, extrapolated to that of 0.
+double kept_slowly(int dimension, const RunOf& run) {
+    return 2.0 * kept(dimension, 0.01, run.seed) - kept(dimension, 0.02, run.seed + 1000);
+}
+
+Study slow_stroke_in_space() {
+    Study study;
+    study.field = pistons_field;
+    study.runs = 200;
+    study.truths = {{"*TV*^(2/3) after a slow stroke to half the room over that before, 50 spheres",
+                     1.0, 0.0, 0.0, "exact: adiabatic, heat capacity ratio 5/3"}};
+    study.measure = [](const RunOf& run) { return std::vector<double>{kept_slowly(3, run)}; };
+    return study;
 }
 
 Study slow_strokes() {
@@ -141,8 +160,8 @@ Study slow_strokes() {
     study.runs = 400;
     study.how =
         "Slow strokes halve the room at wall speeds 0.02 and 0.01, where the gas has √*T* = 1, "
-        "extrapolated to speed 0; in the plane *V* is the room that 50 disks of radius 0.03 leave "
-        "one another (second virial).";
+        "extrapolated to speed 0; *V* is the room that 50 disks of radius 0.03, or 50 spheres of "
+        "radius 0.1 in a cube of side 5, leave one another (second virial).";
     study.truths = {
         {"*TV* after a slow stroke to half the room over that before, 50 disks", 1.0, 0.0, 0.0,
          "exact: adiabatic, heat capacity ratio 2"},
@@ -150,11 +169,7 @@ Study slow_strokes() {
          "wire",
          1.0, 0.0, 0.0, "exact: adiabatic, heat capacity ratio 3"}};
     study.measure = [=](const RunOf& run) {
-        std::vector<double> values;
-        for (const int dimension : {2, 1})
-            values.push_back(2.0 * kept(dimension, 0.01, run.seed) -
-                             kept(dimension, 0.02, run.seed + 1000));
-        return values;
+        return std::vector<double>{kept_slowly(2, run), kept_slowly(1, run)};
     };
     return study;
 }
@@ -233,7 +248,8 @@ Study works() {
 }  // namespace
 
 std::vector<Study> pistons() {
-    return {piston_on_a_plane(), piston_on_a_wire(), slow_strokes(), one_hit(), works()};
+    return {piston_on_a_gas(2), piston_on_a_wire(),    slow_strokes(), one_hit(), works(),
+            piston_on_a_gas(3), slow_stroke_in_space()};
 }
 
 }  // namespace carom::validation

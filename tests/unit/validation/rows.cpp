@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "validation/hard_disks.h"
+#include "validation/hard_fluids.h"
 #include "validation/row.h"
 
 using namespace carom;
@@ -56,9 +56,11 @@ TEST_CASE("the bound grows with the number of rows") {
     CHECK(validation::bound_of(100) == doctest::Approx(3.8906).epsilon(1e-4));
 }
 
-// Z = 1 + 2 packing (1 - 1/N) of N disks to first order: each meets only the N - 1 others.
-TEST_CASE("a fixed number of disks presses less, as the second virial coefficient has it") {
+// Z = 1 + 2^(d - 1) packing (1 - 1/N) of N particles in d dimensions to first order: each meets
+// only the N - 1 others.
+TEST_CASE("a fixed number of particles presses less, as the second virial coefficient has it") {
     const double packing = 1e-3, count = 100.0;
-    CHECK(validation::finite_number(packing, count) ==
-          doctest::Approx(-2.0 * packing / count).epsilon(0.01));
+    for (const int dimension : {2, 3})
+        CHECK(validation::finite_number(dimension, packing, count) ==
+              doctest::Approx(-std::pow(2.0, dimension - 1) * packing / count).epsilon(0.02));
 }

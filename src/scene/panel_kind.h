@@ -40,6 +40,7 @@ enum class Ability {
     over,         ///< takes numbers over a time: `over`
     component,    ///< along one axis: `component`, `x`, `y` or `z`
     both,         ///< the same, and all axes together: `both`, in space `all`
+    two_axes,     ///< the same, and in space two axes: `xy`, `xz` or `yz`
     theory,       ///< has a curve of theory: `theory`
     equilibrium,  ///< that curve is the equilibrium's, so that bars can be tested against it:
                   ///< `test`

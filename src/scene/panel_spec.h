@@ -27,8 +27,9 @@ struct Over {
     double window = 0.0;  ///< simulated time before the present
 };
 
-/// One axis, or all of them together: both in a plane, all three in space.
-enum class Component { x, y, z, both };
+/// One axis, two of the three in space, or all of them together: both in a plane, all three in
+/// space.
+enum class Component { x, y, z, xy, xz, yz, both };
 
 /// The simulated time in which something is shown.
 struct TimeSpan {
@@ -100,6 +101,29 @@ struct PanelSpec {
 inline int axis_of(const PanelSpec& panel) {
     if (panel.component == Component::z) return 2;
     return panel.component == Component::y ? 1 : 0;
+}
+
+/// The axes of a component in a box of this dimension.
+inline std::vector<int> axes_of(Component component, int dimension) {
+    switch (component) {
+        case Component::x:
+            return {0};
+        case Component::y:
+            return {1};
+        case Component::z:
+            return {2};
+        case Component::xy:
+            return {0, 1};
+        case Component::xz:
+            return {0, 2};
+        case Component::yz:
+            return {1, 2};
+        case Component::both:
+            break;
+    }
+    std::vector<int> all;
+    for (int axis = 0; axis < dimension; ++axis) all.push_back(axis);
+    return all;
 }
 
 /// A panel with options of its kind, which is of the type T.

@@ -82,6 +82,9 @@ inline constexpr auto enum_words<Component> =
     std::to_array<EnumWord<Component>>({{Component::x, "x"},
                                         {Component::y, "y"},
                                         {Component::z, "z"},
+                                        {Component::xy, "xy"},
+                                        {Component::xz, "xz"},
+                                        {Component::yz, "yz"},
                                         {Component::both, "both"},
                                         {Component::both, "all"}});
 

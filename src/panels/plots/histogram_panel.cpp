@@ -100,7 +100,7 @@ HistogramPanel::HistogramPanel(const PanelContext& context, const PanelSpec& spe
         HistogramSeries series{.name = column_name_of(context.scene, chosen),
                                .particles = static_cast<double>(choice.members.size())};
         if (const Law found = law(context.gas, LawOf::distribution, {.of = choice.members}))
-            series.equilibria.push_back(*found.equilibrium);
+            series.equilibria.push_back(counted_motion(*found.equilibrium));
         if (spec.test) require_equilibrium(choice);
         record_.series.push_back(std::move(series));
     }
@@ -126,6 +126,10 @@ void HistogramPanel::add_missing(std::vector<HistogramOverTime>& bars,
     for (std::size_t k = 0; k < bars.size(); ++k)
         if (choices_[k].missing != 0.0)
             bars[k].add_elsewhere(choices_[k].missing * each, members_since_, input.sample.time);
+}
+
+EquilibriumGas HistogramPanel::counted_motion(const EquilibriumGas& gas) const {
+    return subject_.axes.empty() ? gas : motion_along(gas, subject_.axes);
 }
 
 const std::vector<MeanHistogram>& HistogramPanel::histograms(const PanelState& state) {
@@ -210,7 +214,7 @@ void HistogramPanel::find_law_of_parts(const FrameInput& input) {
             {.of = members,
              .thermal = thermal_motion(context_.box(), context_.particles, input.sample, members),
              .surface = options().parts.surfaces.front()});
-        if (found) record_.series[k].equilibria.push_back(*found.equilibrium);
+        if (found) record_.series[k].equilibria.push_back(counted_motion(*found.equilibrium));
     }
 }
 

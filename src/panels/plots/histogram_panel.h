@@ -56,6 +56,7 @@ struct HistogramSubject {
     std::function<double(const EquilibriumGas& gas, double low, double high)> probability =
         {};  ///< of a value between `low` and `high`; needed if the density is not finite
              ///< everywhere
+    std::vector<int> axes = {};  ///< of the motion that counts; empty: all
     std::vector<std::pair<double, double>> shares =
         {};  ///< instead of a density: values at equal distances and their shares
     Phrase curve = Phrase{"equilibrium"};  ///< its name
@@ -152,6 +153,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
     bool shows_one_mean() const;  ///< over a window that ends at a figure's time
     bool is_probe(double time, double numbers) const;
     HistogramRules rules() const;
+    EquilibriumGas counted_motion(const EquilibriumGas& gas) const;
     Expected expected(const HistogramSeries& series) const;
     void require_equilibrium(const Choice& choice) const;
     void require_testable(const HistogramSeries& series) const;

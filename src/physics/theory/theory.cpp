@@ -115,6 +115,19 @@ double average_along(const EquilibriumGas& gas, std::optional<int> axis, Functio
 
 }  // namespace
 
+EquilibriumGas motion_along(const EquilibriumGas& gas, const std::vector<int>& axes) {
+    EquilibriumGas part = gas;
+    part.alpha = 0.5 * static_cast<double>(axes.size());
+    part.beta = gas.alpha + gas.beta - part.alpha;
+    for (MassGroup& group : part.groups) {
+        const auto all = group.largest_share;
+        group.largest_share = {1.0, 1.0, 1.0};
+        for (std::size_t k = 0; k < axes.size(); ++k)
+            group.largest_share.at(k) = all.at(static_cast<std::size_t>(axes[k]));
+    }
+    return part;
+}
+
 double energy_density(const EquilibriumGas& gas, double e) {
     if (e < 0.0) return 0.0;
     return average(gas, [&](double, double share) {

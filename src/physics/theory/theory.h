@@ -39,6 +39,12 @@ struct EquilibriumGas {
     void archive(auto& archive) { archive(energy, alpha, beta, groups); }
 };
 
+/// The motion of the same gas along some of its axes alone. The speed and the kinetic energy of a
+/// particle are then those of this part of its velocity: k coordinates of a point on a sphere in D
+/// dimensions have the sum of squares Beta(k/2, (D - k)/2) and, relative to each other, a uniform
+/// direction.
+EquilibriumGas motion_along(const EquilibriumGas& gas, const std::vector<int>& axes);
+
 /// Probability density of a particle's kinetic energy at e, averaged over the groups; 1/energy.
 /// Infinite at 0 in one dimension.
 double energy_density(const EquilibriumGas& gas, double e);

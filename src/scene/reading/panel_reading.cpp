@@ -121,16 +121,25 @@ Notation<std::string> film_kinds(PanelKinds kinds) {
     return word(names).with_elsewhere(std::move(elsewhere));
 }
 
-void check_component(const PanelSpec& panel, const Node& node, const PanelKind& kind,
-                     Reading& reading) {
+void check_component(const PanelSpec& panel, const Node& node, PanelKinds kinds,
+                     const PanelKind& kind, Reading& reading) {
     const Node* written = given(node, "component");
     if (written == nullptr) return;
     const int dimension = reading.box().dimension;
     const bool is_plane = dimension == 2;
+    const bool has_two = panel.component == Component::xy || panel.component == Component::xz ||
+                         panel.component == Component::yz;
     if (dimension == 1)
         reading.errors.add(*written,
                            "on a wire there is one direction only: `component` has no meaning",
                            "leave it out");
+    else if (has_two && (is_plane || !kind.can(Ability::two_axes)))
+        reading.errors.add(
+            *written,
+            fmt::format("two axes together are for {} in a box with three lengths",
+                        listed(kinds_that_can(kinds, Ability::two_axes), "and", "`")),
+            is_plane ? "leave it out, or write `component: x` or `component: y`"
+                     : "write `component: x`, `component: y` or `component: z`");
     else if (is_plane && panel.component == Component::z)
         reading.errors.add(*written, "a box with two lengths has no z: `component` is `x` or `y`",
                            "write `component: x` or `component: y`");
@@ -296,9 +305,11 @@ std::vector<Binding<PanelSpec>> panel_keys(PanelKinds kinds, const Binding<Panel
                                .default_text("by kind")
                                .only_with(kinds_with_axes(kinds))};
     const std::vector component{
-        bind_key("component", &PanelSpec::component, one_of<Component>(),
-                 "The axis; `both`, in space `all`, counts all components of each particle.")
-            .default_text("both for velocities, x for positions")
+        bind_key(
+            "component", &PanelSpec::component, one_of<Component>(),
+            "The axis; `both`, in space `all`, counts all components of each particle. Of speeds "
+            "it is the part along one axis or, in space, along two: `xy`.")
+            .default_text("all for speeds and velocities, x for positions")
             .only_with(kinds_that_can(kinds, Ability::component))};
     const std::vector theory{
         bind_key("theory", &PanelSpec::theory, flag(),
@@ -318,7 +329,7 @@ void complete_panel(PanelSpec& panel, const Node& node, PanelKinds kinds, Readin
     if (kind == nullptr) return;  // reported
     check_space(node, *kind, reading);
     check_two_particles(panel, node, *kind, reading);
-    check_component(panel, node, *kind, reading);
+    check_component(panel, node, kinds, *kind, reading);
     if (kind->rule) kind->rule(panel, node, reading);
 }
 

@@ -10,9 +10,11 @@
 #include "panels/frame.h"
 #include "panels/gas/gas_colors.h"
 #include "panels/instruments/measured_surfaces.h"
+#include "panels/plots/histogram_panel.h"
 #include "panels/surfaces/surface_view.h"
 #include "panels/surfaces/surface_words.h"
 #include "support/scene_text.h"
+#include "support/seen_panel.h"
 #include "support/shot.h"
 
 using namespace carom;
@@ -186,4 +188,55 @@ TEST_CASE("the table of a picture in space has three coordinates and three veloc
     CHECK(std::get<std::string>(row[0]) == "sphere");
     CHECK(std::get<float>(row[5]) == 0.5f);
     CHECK(std::get<float>(row[11]) == 5.0f);
+}
+
+TEST_CASE("a histogram of speeds counts the motion along an axis, in a plane or in space") {
+    const auto scene_with = [](const std::string& options) {
+        return test::scene_from(
+            "title: T\nbox: {size: [20, 18, 16]}\ngravity: [0, -0.3, 0]\n"
+            "gas: [{count: 90, radius: 0.4, temperature: 1}]\nrun: {until: 6}\n"
+            "film: {seconds: 1, panels: [{kind: speed-histogram, bins: 20, "
+            "range: [0, 5]" +
+            options + "}]}\n");
+    };
+    const std::vector<std::pair<std::string, std::vector<int>>> parts{
+        {"", {0, 1, 2}},         {", component: all", {0, 1, 2}}, {", component: y", {1}},
+        {", component: z", {2}}, {", component: xy", {0, 1}},     {", component: yz", {1, 2}}};
+    for (const auto& [component, axes] : parts) {
+        CAPTURE(component);
+        // At the end: what each bar holds, counted one by one.
+        const test::SeenPanel seen(scene_with(component), 12);
+        Simulation simulation(seen.scene.gas, seen.scene.run);
+        simulation.advance_to(6.0);
+        std::vector<double> expected(20, 0.0);
+        for (Eigen::Index i = 0; i < 90; ++i) {
+            double square = 0.0;
+            for (const int axis : axes)
+                square +=
+                    simulation.sample().velocity(i, axis) * simulation.sample().velocity(i, axis);
+            const auto bar = static_cast<std::size_t>(4.0 * std::sqrt(square));
+            if (bar < 20) ++expected[bar];
+        }
+        const auto last = seen.last_state();
+        CHECK(HistogramPanel::histograms(*last).front().counts == expected);
+        // Over a time: the exact means, against those of 2400 moments. A sphere that changes its
+        // bar between two of these is wrong by at most half of their distance; that happens less
+        // than 96 times in each bar.
+        const test::SeenPanel over(scene_with(component + ", over: {window: 3}"), 12);
+        const auto mean = over.last_state();
+        Simulation again(over.scene.gas, over.scene.run);
+        std::vector<double> means(20, 0.0);
+        constexpr int moments = 2400;
+        for (int k = 0; k < moments; ++k) {
+            again.advance_to(3.0 + 3.0 * (k + 0.5) / moments);
+            const Eigen::ArrayXd speeds =
+                again.sample().velocity(Eigen::all, axes).square().rowwise().sum().sqrt();
+            for (const double speed : speeds)
+                if (speed < 5.0) means[static_cast<std::size_t>(4.0 * speed)] += 1.0 / moments;
+        }
+        const std::vector<double>& exact = HistogramPanel::histograms(*mean).front().counts;
+        REQUIRE(exact.size() == 20);
+        for (std::size_t bar = 0; bar < 20; ++bar)
+            CHECK(std::abs(exact[bar] - means[bar]) < 96.0 * 0.5 / moments);
+    }
 }

@@ -138,6 +138,48 @@ TEST_CASE("shares of energy in space are Beta distributed") {
               relative(std::sqrt(2.0 / pi) * v * v * std::exp(-0.5 * v * v), 1e-4));
 }
 
+TEST_CASE("motion along some of the axes has its part of the energy") {
+    const auto moment = [](const EquilibriumGas& part, double fastest, int power) {
+        return summed(0.0, 0.5 * pi, [&](double angle) {
+            const double v = fastest * std::sin(angle);
+            return std::pow(v, power) * speed_density(part, v) * fastest * std::cos(angle);
+        });
+    };
+    // Five spheres of mass 2 and the energy 9, between walls: each component has a fifteenth of it.
+    const EquilibriumGas gas{9.0, 1.5, 6.0, {{2.0, 5.0}}};
+    for (const std::vector<int>& axes : {std::vector{0}, {2}, {0, 1}, {1, 2}, {0, 1, 2}}) {
+        const auto count = static_cast<double>(axes.size());
+        CAPTURE(count);
+        const EquilibriumGas part = motion_along(gas, axes);
+        CHECK(moment(part, 3.0, 0) == relative(1.0, 1e-6));
+        CHECK(moment(part, 3.0, 2) == relative(9.0 * count / 15.0, 1e-6));
+        CHECK(moment(part, 3.0, 1) == relative(mean_speed(part), 1e-6));
+    }
+    // Momentum is conserved along x alone, or along y and z: a single axis is the density of a
+    // component, on both sides of 0, and two have the sum of the squares of both.
+    for (const std::array<double, 3>& shares :
+         {std::array{0.7, 1.0, 1.0}, {1.0, 0.6, 0.6}, {0.8, 0.8, 0.8}}) {
+        const EquilibriumGas some{9.0, 1.5, 6.0, {{2.0, 3.0, shares}, {4.0, 2.0, shares}}};
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double v : {0.1, 0.9, 1.8})
+                CHECK(speed_density(motion_along(some, {axis}), v) ==
+                      relative(2.0 * velocity_density(some, v, axis), 1e-12));
+        for (const auto& [a, b] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
+            const double of_a = moment(motion_along(some, {a}), 3.0, 2),
+                         of_b = moment(motion_along(some, {b}), 3.0, 2);
+            CHECK(moment(motion_along(some, {a, b}), 3.0, 2) == relative(of_a + of_b, 1e-4));
+        }
+    }
+    // The limits of Maxwell: exp(-v^2 / 2) sqrt(2/pi) along an axis, v exp(-v^2 / 2) in a plane.
+    const EquilibriumGas many{1.5e6, 1.5, 1.5e6 - 1.5, {{1.0, 1e6}}};
+    for (const double v : {0.3, 1.4, 3.0}) {
+        CHECK(speed_density(motion_along(many, {1}), v) ==
+              relative(std::sqrt(2.0 / pi) * std::exp(-0.5 * v * v), 1e-4));
+        CHECK(speed_density(motion_along(many, {0, 2}), v) ==
+              relative(v * std::exp(-0.5 * v * v), 1e-4));
+    }
+}
+
 TEST_CASE("each side of a closed partition in space has an equilibrium of its own") {
     GasState s = state_named("space-divided");
     s.asked.of = {{0, 1, 2, 3, 4, 5, 6}};

@@ -229,12 +229,17 @@ TEST_CASE("panels measure at the back and the front, in regions, and across plan
     CHECK(panel("{kind: flux, line: {x: 5, between: [1, 2, 9, 8]}}").kind == "flux");
 }
 
-TEST_CASE("a component is along x, y or z, or all three") {
+TEST_CASE("a component is along x, y or z, or two or all three of them") {
     CHECK(axis_of(panel("{kind: profile, component: z}")) == 2);
     CHECK(axis_of(panel("{kind: profile, component: y}")) == 1);
     CHECK(axis_of(panel("profile")) == 0);
     CHECK(panel("{kind: velocity-histogram, component: z}").component == Component::z);
     CHECK(panel("{kind: velocity-histogram, component: all}").component == Component::both);
+    const PanelSpec flat = panel("{kind: speed-histogram, component: xz}");
+    CHECK(axes_of(*flat.component, 3) == std::vector{0, 2});
+    CHECK(axes_of(Component::z, 3) == std::vector{2});
+    CHECK(axes_of(Component::both, 3) == std::vector{0, 1, 2});
+    CHECK(axes_of(Component::both, 2) == std::vector{0, 1});
 }
 
 TEST_CASE("three kinds of panel have no meaning in space, and no film has them by itself") {

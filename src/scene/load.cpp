@@ -284,9 +284,11 @@ Scene load_once(Source file, const LoadRequest& request) {
     if (resources.is_strict) refuse_notes(scene.notes);
     refuse_many_scenes(scene);
     const Wanted compared = wanted == Wanted::physics ? wanted : Wanted::figures;
-    load_compared(scene, overrides, [&](const std::string& name, const Overrides& others) {
-        return load_once(source, {path, resources, others, compared, {.figure = name}, left_out});
-    });
+    load_compared(scene, resources.panels, overrides,
+                  [&](const std::string& name, const Overrides& others) {
+                      return load_once(
+                          source, {path, resources, others, compared, {.figure = name}, left_out});
+                  });
     load_sweep_figures(scene, resources);
     load_beside(
         scene, tree.root, overrides,

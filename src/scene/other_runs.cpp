@@ -8,8 +8,11 @@
 
 #include "physics/surfaces/surface_problem.h"
 #include "scene/limits.h"
+#include "scene/panel_kind.h"
+#include "scene/reading/panel_reading.h"
 #include "scene/scene.h"
 #include "util/diagnostics.h"
+#include "util/text.h"
 
 namespace carom {
 namespace {
@@ -145,17 +148,21 @@ void refuse_many_scenes(const Scene& scene) {
     throw SceneError({std::move(error)});
 }
 
-void load_compared(Scene& scene, const Overrides& overrides, const ReloadCompared& reload) {
+void load_compared(Scene& scene, PanelKinds kinds, const Overrides& overrides,
+                   const ReloadCompared& reload) {
     std::vector<Diagnostic> errors;
     for (FigureSpec& figure : scene.figures)
         for (ComparedRun& run : figure.compare) try {
                 run.scene = std::make_shared<Scene>(compared_scene(figure, run, overrides, reload));
                 const Scene* first = figure.compare.front().scene.get();
-                if (first == nullptr || first->gas.box.dimension == run.scene->gas.box.dimension)
+                if (first == nullptr || first->gas.box.dimension == run.scene->gas.box.dimension ||
+                    kind_of(kinds, figure.panel.kind)->can(Ability::any_space))
                     continue;
                 Diagnostic error = run.place;
                 error.message = "this run has another number of dimensions than the first";
-                error.hint = "their numbers have different units: make a figure for each";
+                error.hint = "make a figure for each: of different dimensions, " +
+                             listed(kinds_that_can(kinds, Ability::any_space), "and", "`") +
+                             " can be compared";
                 errors.push_back(std::move(error));
             } catch (const SceneError& error) {
                 errors.insert(errors.end(), error.diagnostics().begin(), error.diagnostics().end());

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "scene/overrides.h"
+#include "scene/panel_kind.h"
 #include "scene/yaml/node.h"
 
 namespace carom {
@@ -37,8 +38,10 @@ void refuse_many_scenes(const Scene& scene);
 /// Loads the scene with overrides and, of its figures, only the one of this name.
 using ReloadCompared = std::function<Scene(const std::string& figure, const Overrides&)>;
 
-/// Loads the runs that figures compare. Throws SceneError with the errors of all of them.
-void load_compared(Scene& scene, const Overrides& overrides, const ReloadCompared& reload);
+/// Loads the runs that figures compare, with boxes of one dimension unless the kind of the figure
+/// can compare any. Throws SceneError with the errors of all of them.
+void load_compared(Scene& scene, PanelKinds kinds, const Overrides& overrides,
+                   const ReloadCompared& reload);
 
 /// Loads, as a part, the scene in a file in the same folder, or the scene itself if the name is
 /// empty.

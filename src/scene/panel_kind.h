@@ -46,6 +46,8 @@ enum class Ability {
                   ///< `test`
     means,        ///< shows the mean of several runs: `seeds` of a figure
     comparison,   ///< shows several runs, a line of each: `compare` of a figure
+    any_space,    ///< its axes mean the same on a line, in a plane and in space: a comparison may
+                  ///< show runs of several dimensions
     two_runs,     ///< shows what two runs have between them, and nothing of one alone
     sweep,        ///< shows the runs of a sweep: its options are a SweepShown, and `seeds` of a
                   ///< figure may name a sweep that is joined already

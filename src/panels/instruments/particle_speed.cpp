@@ -27,7 +27,7 @@ PanelKind particle_speed_kind() {
         {.name = "particle-speed",
          .words = Phrase{"speed"},
          .shows = "The speed of a particle that `of` names, or the mean speed of several.",
-         .abilities = {of, over, means, comparison},
+         .abilities = {of, over, means, comparison, any_space},
          .asked = {{"mean_speed", "the mean speed"},
                    {"speed", "the speed of a particle, or the mean speed"}}});
 }

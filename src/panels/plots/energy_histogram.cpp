@@ -35,7 +35,7 @@ PanelKind energy_histogram_kind() {
          .shows = "A histogram of the kinetic energies of the particles, with the equilibrium "
                   "distribution.",
          .make = make_energy_histogram,
-         .abilities = {bars, of, over, theory, equilibrium, means, comparison},
+         .abilities = {bars, of, over, theory, equilibrium, means, comparison, any_space},
          .tried_as = {"energy"}},
         true);
 }

@@ -84,7 +84,7 @@ PanelKind speed_histogram_kind() {
                   "axis or, in space, in a plane.",
          .make = make_speed_histogram,
          .abilities = {bars, of, over, component, both, two_axes, theory, equilibrium, means,
-                       comparison}},
+                       comparison, any_space}},
         true);
 }
 

@@ -36,7 +36,7 @@ PanelKind temperature_kind() {
         {.name = "temperature",
          .words = Phrase{"temperature"},
          .shows = "The temperature against time, of all particles or of those that `of` names.",
-         .abilities = {of, over, means, comparison},
+         .abilities = {of, over, means, comparison, any_space},
          .asked = {{"temperature", "the temperature"}},
          .suits = acts_on_gas});
 }

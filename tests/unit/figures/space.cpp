@@ -71,3 +71,39 @@ TEST_CASE("the kinds of panels show a gas in space, in its words and units") {
     CHECK(counts_spheres);
     CHECK(has_pressure);
 }
+
+TEST_CASE("runs in space, in a plane and on a line side by side are those of each") {
+    const std::string scene =
+        "title: T\nbox: {size: [30, 22, 20]}\ngas: [{count: 40, radius: 0.3, "
+        "speed: 2}]\nrun: {until: 4}\nfilm: {seconds: 1}\nfigures: [{name: a, ";
+    const std::vector<std::pair<std::string, std::string>> boxes{{"space", "box.size=[30, 22, 20]"},
+                                                                 {"plane", "box.size=[30, 22]"},
+                                                                 {"line", "box={length: 30}"}};
+    int compared = 0;
+    for (const PanelKind& kind : panel_kinds()) {
+        if (!kind.can(Ability::any_space)) continue;
+        CAPTURE(kind.name);
+        ++compared;
+        std::string runs;
+        for (const auto& [label, value] : boxes)
+            runs += (runs.empty() ? "" : ", ") + ("{label: " + label + ", set: \"" + value + "\"}");
+        const bool has_bars = kind.can(Ability::bars);
+        const std::string figure =
+            "kind: " + kind.name + ", at: 4" +
+            (has_bars ? ", bins: 12, range: [0, 6], mean_now: false, mean_start: false" : "");
+        const FigureRun together =
+            test::run_of(test::scene_from(scene + figure + ", compare: [" + runs + "]}]\n"));
+        const Table table = table_of(together.figures().front());
+        for (const auto& [label, value] : boxes) {
+            CAPTURE(label);
+            const FigureRun alone =
+                test::run_of(test::scene_from(scene + figure + "}]\n", {value}));
+            std::vector<std::vector<TableCell>> rows;
+            for (const std::vector<TableCell>& row : table.rows)
+                if (std::get<std::string>(row.front()) == label)
+                    rows.emplace_back(row.begin() + 1, row.end());
+            CHECK(rows == table_of(alone.figures().front()).rows);
+        }
+    }
+    CHECK(compared == 4);
+}

@@ -60,6 +60,7 @@ std::vector<SceneClaims> claims_of_classics();
 std::vector<SceneClaims> claims_of_gaslab();
 std::vector<SceneClaims> claims_of_others();
 std::vector<SceneClaims> claims_of_beads();
+std::vector<SceneClaims> claims_of_space();
 
 /// Measures each claim in the run of its scene.
 void check(const std::vector<SceneClaims>& table);

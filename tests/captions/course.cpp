@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <stdexcept>
+#include <unsupported/Eigen/SpecialFunctions>
 
 #include "panels/precision.h"
 #include "support/goodness_of_fit.h"
@@ -323,12 +324,18 @@ Measure beside(const Measure& measure) {
     return {[=](const Course& own) { return measure.of(course_beside(own.name)); }};
 }
 
-Measure equilibrium_chance(double time) {
+Measure equilibrium_chance(double time, const std::vector<int>& axes) {
     return {[=](const Course& course) {
-        const Eigen::ArrayXd energy = energies(course, course.at(time));
-        const double mean_of_all = energy.mean();
-        return chance({energy.begin(), energy.end()},
-                      [=](double value) { return 1.0 - std::exp(-value / mean_of_all); });
+        const Eigen::ArrayXXd& velocity = course.at(time).sample.velocity;
+        std::vector<int> along = axes;
+        if (along.empty())
+            for (int axis = 0; axis < course.scene.gas.box.dimension; ++axis) along.push_back(axis);
+        const Eigen::ArrayXd energy =
+            velocity(Eigen::all, along).square().rowwise().sum() / course.particles.inverse_mass;
+        const double mean_of_all = energy.mean(), half = 0.5 * static_cast<double>(along.size());
+        return chance({energy.begin(), energy.end()}, [=](double value) {
+            return Eigen::numext::igamma(half, half * value / mean_of_all);
+        });
     }};
 }
 

@@ -93,9 +93,10 @@ Measure operator*(double factor, const Measure& a);
 Measure with(const std::vector<std::string>& changes, const Measure& measure);
 Measure beside(const Measure& measure);
 
-/// The p-value of the energies at `time` against the exponential distribution that equilibrium has
-/// in two dimensions.
-Measure equilibrium_chance(double time);
+/// The p-value of the energies at `time`, in the motion along these axes or, if there are none,
+/// along all, against the distribution that equilibrium has: a gamma distribution with half as many
+/// degrees of freedom as axes, in two dimensions the exponential one.
+Measure equilibrium_chance(double time, const std::vector<int>& axes = {});
 
 /// Mean squared displacement in a time of `lag`, over all times and particles.
 Measure squared_displacement(double lag, const Which& which = all());

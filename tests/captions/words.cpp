@@ -81,6 +81,11 @@ Sentences sentences_without_claim() {
     return all;
 }
 
+std::vector<std::vector<SceneClaims>> claims_of_library() {
+    return {claims_of_classics(), claims_of_gaslab(), claims_of_others(), claims_of_beads(),
+            claims_of_space()};
+}
+
 bool is_in(const std::vector<std::string>& sentences, const std::string& words) {
     return std::ranges::any_of(sentences, [&](const std::string& sentence) {
         return sentence.find(words) != std::string::npos;
@@ -90,8 +95,7 @@ bool is_in(const std::vector<std::string>& sentences, const std::string& words) 
 }  // namespace
 
 TEST_CASE("captions are measured for the time at which they are shown") {
-    for (const auto& table :
-         {claims_of_classics(), claims_of_gaslab(), claims_of_others(), claims_of_beads()})
+    for (const auto& table : claims_of_library())
         for (const SceneClaims& claims : table) {
             const Scene scene = load_scene(library_file(claims.scene), resources());
             for (const Claim& claim : claims.claims) {
@@ -110,8 +114,7 @@ TEST_CASE("every sentence of a scene is measured, or known to claim nothing") {
     Sentences all = sentences_of_library();
     Sentences without = sentences_without_claim();
     std::map<std::string, std::vector<std::string>> claimed;
-    for (const auto& table :
-         {claims_of_classics(), claims_of_gaslab(), claims_of_others(), claims_of_beads()})
+    for (const auto& table : claims_of_library())
         for (const SceneClaims& claims : table)
             for (const Claim& claim : claims.claims) {
                 claimed[claims.scene].push_back(claim.words);

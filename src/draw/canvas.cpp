@@ -313,6 +313,20 @@ void Canvas::fill_circle(Point center, double radius, Color color) {
     fill_path(color);
 }
 
+void Canvas::fill_circle(Point center, double radius, Point light, double reach,
+                         std::span<const Stop> stops) {
+    cairo_pattern_t* colors =
+        cairo_pattern_create_radial(light.x, light.y, 0.0, light.x, light.y, reach);
+    for (const auto& [share, its] : stops)
+        cairo_pattern_add_color_stop_rgb(colors, share, its.red, its.green, its.blue);
+    trace_circle(handle(), center, radius);
+    implementation_->touch_path(1.0);
+    cairo_set_source(handle(), colors);
+    cairo_pattern_destroy(colors);  // the context keeps it
+    cairo_fill(handle());
+    check(cairo_status(handle()), "draw");
+}
+
 void Canvas::fill_circles(std::span<const Circle> circles, Rect clip) {
     clip_to(clip);
     for (const Circle& circle : circles) fill_circle(circle.center, circle.radius, circle.color);

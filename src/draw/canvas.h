@@ -85,6 +85,15 @@ class Canvas {
     void fade(Rect rect, double share);
     void fill_circle(Point center, double radius, Color color);
 
+    /// Fills it with colours that depend on the distance from a point in it: those at these shares
+    /// of `reach`, in ascending order, and mixtures between them.
+    struct Stop {
+        double share;
+        Color color;
+    };
+    void fill_circle(Point center, double radius, Point light, double reach,
+                     std::span<const Stop> stops);
+
     /// Draws in order, later circles over earlier ones, clipped to `clip` and to the clips of
     /// clip_to().
     void fill_circles(std::span<const Circle> circles, Rect clip);

@@ -60,6 +60,38 @@ void blend_group(std::uint32_t* pixels, const std::uint8_t* coverages, Bytes col
     std::memcpy(pixels, &mixed, sizeof mixed);
 }
 
+// The highlight of a lit sphere is at the upper left of its middle, at this share of its radius
+// along each axis; its lower right rim is farthest from there.
+constexpr float light_aside = 0.3F;
+constexpr float light_reach = 1.0F + light_aside * 1.4142135F;
+
+// The colours of a lit sphere at shares of the largest distance from its highlight.
+std::array<Canvas::Stop, 4> stops_of(Color color) {
+    const Color white = rgb(0xFFFFFF), black = rgb(0x000000);
+    return {{{0.0, mix(color, white, 0.45)},
+             {0.3, mix(color, white, 0.08)},
+             {0.62, mix(color, black, 0.06)},
+             {1.0, mix(color, black, 0.5)}}};
+}
+
+// They at equal steps of the square of that share.
+constexpr int ramp_size = 256;
+using Ramp = std::array<std::uint32_t, ramp_size>;
+
+Ramp ramp_of(std::uint32_t color) {
+    const auto stops = stops_of(rgb(color));
+    Ramp ramp{};
+    for (std::size_t i = 0; i < ramp.size(); ++i) {
+        const double share = std::sqrt((static_cast<double>(i) + 0.5) / ramp_size);
+        std::size_t next = 1;
+        while (next + 1 < stops.size() && stops.at(next).share < share) ++next;
+        const Canvas::Stop &low = stops.at(next - 1), &high = stops.at(next);
+        ramp.at(i) =
+            to_pixel(mix(low.color, high.color, (share - low.share) / (high.share - low.share)));
+    }
+    return ramp;
+}
+
 // Draws masks of one colour.
 class Stamp {
   public:
@@ -125,6 +157,75 @@ class Stamp {
     Bytes color_bytes_;
 };
 
+// Draws masks of lit spheres. The colour of a pixel depends on its distance from the highlight: the
+// share of the square of the largest distance in the sphere is its place in the ramp.
+class LitStamp {
+  public:
+    LitStamp(const PixelView& pixels, const PixelBounds& bounds, const Ramp& ramp,
+             const Disk& shape)
+        : pixels_(pixels), bounds_(bounds), ramp_(ramp) {
+        const float aside = light_aside * shape.radius, reach = light_reach * shape.radius;
+        x_ = shape.x - aside - 0.5F;
+        y_ = shape.y - aside - 0.5F;
+        steps_ = static_cast<float>(ramp_size) / (reach * reach);
+    }
+
+    void draw(const MaskStore& store, const DiskMask& mask, int x, int y) const {
+        const MaskRow* row = store.rows(mask);
+        const std::uint8_t* coverage = store.coverages(mask);
+        for (int line = y + mask.top; line < y + mask.top + mask.height; ++line, ++row) {
+            if (line >= bounds_.top && line < bounds_.bottom) draw_row(*row, coverage, x, line);
+            coverage += group_size * (row->left_groups + row->right_groups);
+        }
+    }
+
+  private:
+    void draw_row(const MaskRow& row, const std::uint8_t* coverage, int x, int line) const {
+        std::uint32_t* const pixels =
+            pixels_.data + static_cast<std::ptrdiff_t>(line) * pixels_.stride;
+        const float down = static_cast<float>(line) - y_;
+        const float of_line = steps_ * down * down;
+        const int left = x + row.left;
+        const int inside = left + row.left_groups * group_size, outside = inside + row.full;
+        draw_rim(pixels, of_line, left, inside, coverage);
+        const int from = std::max(inside, bounds_.left), to = std::min(outside, bounds_.right);
+        for (int i = from; i < to; ++i) pixels[i] = color_at(i, of_line);
+        draw_rim(pixels, of_line, outside, outside + row.right_groups * group_size,
+                 coverage + (inside - left));
+    }
+
+    void draw_rim(std::uint32_t* pixels, float of_line, int from, int to,
+                  const std::uint8_t* coverage) const {
+        for (int x = from; x < to; x += group_size, coverage += group_size) {
+            std::uint32_t colors[group_size];
+            for (int i = 0; i < group_size; ++i) colors[i] = color_at(x + i, of_line);
+            if (x >= bounds_.left && x + group_size <= bounds_.right) {
+                blend_group(pixels + x, coverage, load<Bytes>(colors));
+                continue;
+            }
+            for (int i = 0; i < group_size; ++i) {
+                if (x + i < bounds_.left || x + i >= bounds_.right) continue;
+                const std::uint8_t alone[group_size] = {coverage[i]};
+                std::uint32_t group[group_size] = {pixels[x + i]};
+                const std::uint32_t color[group_size] = {colors[i]};
+                blend_group(group, alone, load<Bytes>(color));
+                pixels[x + i] = group[0];
+            }
+        }
+    }
+
+    std::uint32_t color_at(int x, float of_line) const {
+        const float across = static_cast<float>(x) - x_;
+        const int step = static_cast<int>(of_line + steps_ * across * across);
+        return ramp_[static_cast<std::size_t>(std::min(step, ramp_size - 1))];
+    }
+
+    PixelView pixels_;
+    PixelBounds bounds_;
+    const Ramp& ramp_;
+    float x_, y_, steps_;
+};
+
 // A disk on the grid of phases: the pixel that contains its centre, and its shape relative to that
 // pixel.
 struct PlacedDisk {
@@ -164,6 +265,31 @@ void draw_circles(Canvas& canvas, std::span<const Disk> disks, Rect clip) {
                                static_cast<double>(disk.radius),
                                rgb(disk.color)});
     canvas.fill_circles(circles, clip);
+}
+
+void draw_lit_circles(Canvas& canvas, std::span<const Disk> disks, Rect clip) {
+    const PixelBounds bounds = bounds_of(canvas.size(), clip);
+    canvas.clip_to(clip);
+    for (const Disk& disk : disks) {
+        if (!is_visible(disk, bounds)) continue;
+        const Point center{static_cast<double>(disk.x), static_cast<double>(disk.y)};
+        const double radius = static_cast<double>(disk.radius);
+        const double aside = static_cast<double>(light_aside) * radius;
+        canvas.fill_circle(center, radius, {center.x - aside, center.y - aside},
+                           static_cast<double>(light_reach) * radius, stops_of(rgb(disk.color)));
+    }
+    canvas.release_clip();
+}
+
+// A sphere on a coarser grid.
+Disk with_few_masks(const Disk& disk) {
+    const auto rounded = [](float value, float steps) {
+        return std::floor(value * steps + 0.5F) / steps;
+    };
+    float steps = 16.0F;  // of the radius, in a pixel
+    while (disk.radius * steps > 512.0F && steps > 1.0F) steps *= 0.5F;
+    return {rounded(disk.x, 8.0F), rounded(disk.y, 8.0F),
+            std::max(rounded(disk.radius, steps), 1.0F / steps), disk.color};
 }
 
 // Prefetches the pixels of a disk that will be drawn soon. Disks are in no spatial order: without
@@ -227,7 +353,17 @@ struct DiskPainter::Implementation {
         return phases;
     }
 
-    void draw_one(const Stamp& stamp, const PlacedDisk& disk) {
+    /// The colours of a lit sphere, which are valid until the next call.
+    const Ramp& ramp_for(std::uint32_t color) {
+        constexpr std::size_t most_ramps = 8192;
+        if (ramps.size() >= most_ramps) ramps.clear();
+        const auto [at, is_new] = ramps.try_emplace(color);
+        if (is_new) at->second = ramp_of(color);
+        return at->second;
+    }
+
+    template <class Its>
+    void draw_one(const Its& stamp, const PlacedDisk& disk) {
         Phases* phases = phases_of(disk.shape.radius);
         const int phase = disk.shape.phase_y * DiskShape::phases + disk.shape.phase_x;
         int* index = phases != nullptr ? &(*phases)[static_cast<std::size_t>(phase)] : nullptr;
@@ -248,7 +384,8 @@ struct DiskPainter::Implementation {
 
     MaskStore store;
     std::vector<DiskMask> masks;
-    std::unordered_map<int, Phases> by_radius;  ///< looked up only
+    std::unordered_map<int, Phases> by_radius;      ///< looked up only
+    std::unordered_map<std::uint32_t, Ramp> ramps;  ///< looked up only
     int last_radius = -1;
     Phases* last_phases = nullptr;
     bool is_full = false;
@@ -266,8 +403,10 @@ SmallDisks& DiskPainter::small_disks() {
     return *small;
 }
 
-void DiskPainter::draw(Canvas& canvas, std::span<const Disk> disks, Rect clip) {
-    if (!canvas.is_raster()) return draw_circles(canvas, disks, clip);
+// Calls `draw` with each disk that is visible, the pixels and their bounds.
+template <class Draw>
+void DiskPainter::draw_each(Canvas& canvas, std::span<const Disk> disks, Rect clip,
+                            const Draw& draw) {
     implementation_->forget_if_full();
     const PixelView pixels = canvas.pixels();
     const PixelBounds bounds = bounds_of(canvas.size(), clip);
@@ -278,11 +417,30 @@ void DiskPainter::draw(Canvas& canvas, std::span<const Disk> disks, Rect clip) {
         if (i + ahead < disks.size()) fetch_ahead(pixels, bounds, disks[i + ahead]);
         if (!is_visible(disk, bounds)) continue;
         boxes.add(box_around(disk));
-        const Stamp stamp(pixels, bounds, disk.color);
-        implementation_->draw_one(stamp, place(disk));
+        draw(disk, pixels, bounds);
     }
     canvas.pixels_changed();
     boxes.touch(canvas);
+}
+
+void DiskPainter::draw(Canvas& canvas, std::span<const Disk> disks, Rect clip) {
+    if (!canvas.is_raster()) return draw_circles(canvas, disks, clip);
+    draw_each(canvas, disks, clip,
+              [&](const Disk& disk, const PixelView& pixels, const PixelBounds& bounds) {
+                  const Stamp stamp(pixels, bounds, disk.color);
+                  implementation_->draw_one(stamp, place(disk));
+              });
+}
+
+void DiskPainter::draw_lit(Canvas& canvas, std::span<const Disk> disks, Rect clip) {
+    if (!canvas.is_raster()) return draw_lit_circles(canvas, disks, clip);
+    draw_each(canvas, disks, clip,
+              [&](const Disk& disk, const PixelView& pixels, const PixelBounds& bounds) {
+                  const Disk shape = with_few_masks(disk);
+                  const LitStamp stamp(pixels, bounds, implementation_->ramp_for(disk.color),
+                                       shape);
+                  implementation_->draw_one(stamp, place(shape));
+              });
 }
 
 }  // namespace carom

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "draw/disks/disk_mask.h"
@@ -214,4 +215,45 @@ TEST_CASE("a mask that is dropped leaves no trace in its store") {
     store.truncate_to(dropped);
     CHECK(store.bytes() == bytes);
     CHECK(store.rows(kept)[kept.height / 2].left_groups > 0);
+}
+
+TEST_CASE(
+    "a lit sphere covers what a disk covers, brightest at the upper left, in all formats alike") {
+    const Disk disk{64.0F, 64.0F, 40.0F, 0x4080C0};
+    Canvas lit({128, 128}), flat({128, 128});
+    DiskPainter painter;
+    painter.draw_lit(lit, {&disk, 1}, everywhere);
+    painter.draw(flat, {&disk, 1}, everywhere);
+    const auto lit_pixels = pixels_of(lit), flat_pixels = pixels_of(flat);
+    for (std::size_t i = 0; i < lit_pixels.size(); ++i)
+        CHECK((lit_pixels[i] == flat_pixels[64 * 128]) ==
+              (flat_pixels[i] == flat_pixels[64 * 128]));
+    // Along the diagonal through the highlight, from there on.
+    int before = 256;
+    for (int k = 52; k < 91; ++k) {
+        CHECK(level(lit, k, k) <= before);
+        before = level(lit, k, k);
+    }
+    CHECK(level(lit, 52, 52) > 0xC0);
+    CHECK(level(lit, 90, 90) < 0x80);
+    // Circles around the highlight have one colour: (52, 52) is the nearest pixel to it.
+    CHECK(std::abs(level(lit, 72, 52) - level(lit, 52, 72)) <= 1);
+    CHECK(std::abs(level(lit, 32, 52) - level(lit, 52, 32)) <= 1);
+    // A document has a gradient.
+    Canvas document({128, 128}, VectorFormat::svg, {"T", "D"});
+    painter.draw_lit(document, {&disk, 1}, everywhere);
+    const auto bytes = document.file();
+    const std::string text(bytes.begin(), bytes.end());
+    CHECK(text.find("radialGradient") != std::string::npos);
+}
+
+TEST_CASE("a lit sphere does not depend on those that were drawn before it") {
+    const std::vector<Disk> many = random_disks(3000, 1.0, 30.0, {200, 200});
+    Canvas once({200, 200}), again({200, 200});
+    DiskPainter fresh, used;
+    used.draw_lit(again, many, everywhere);
+    again.fill_all(rgb(0x000000));
+    used.draw_lit(again, many, {20, 20, 150, 150});
+    fresh.draw_lit(once, many, {20, 20, 150, 150});
+    CHECK(pixels_of(once) == pixels_of(again));
 }

@@ -77,10 +77,13 @@ std::string name_of_panel(const Scene& scene, const PanelSpec& spec) {
                is_deep ? kind.words_in_space.value_or(kind.words) : kind.words);
 }
 
-std::unique_ptr<Panel> make_gas_panel(const PanelContext& context,
-                                      const std::optional<View>& view) {
-    if (context.box().dimension == 1) return std::make_unique<LinePanel>(context, view);
-    return std::make_unique<GasPanel>(context, view);
+std::unique_ptr<Panel> make_gas_panel(const PanelContext& context) {
+    return make_gas_panel(context, {});
+}
+
+std::unique_ptr<Panel> make_gas_panel(const PanelContext& context, const FixedView& fixed) {
+    if (context.box().dimension == 1) return std::make_unique<LinePanel>(context, fixed.view);
+    return std::make_unique<GasPanel>(context, fixed);
 }
 
 std::unique_ptr<Panel> make_panel(const PanelContext& context, const PanelSpec& spec) {

@@ -11,6 +11,8 @@
 
 namespace carom {
 
+struct FixedView;
+
 struct PanelKind;  // scene/panel_kind.h
 struct PanelWork;
 struct MeasuredAt;
@@ -33,10 +35,10 @@ std::string name_of_panel(const Scene& scene, const PanelSpec& spec);
 /// validated.
 std::unique_ptr<Panel> make_panel(const PanelContext& context, const PanelSpec& spec);
 
-/// Makes the panel of the box (2-D) or of the wire (1-D), either with a constant `view` or with
-/// that of the film's camera.
-std::unique_ptr<Panel> make_gas_panel(const PanelContext& context,
-                                      const std::optional<View>& view = {});
+/// Makes the panel of the box or of the wire, as the film's camera shows it or with what is
+/// `fixed`.
+std::unique_ptr<Panel> make_gas_panel(const PanelContext& context, const FixedView& fixed);
+std::unique_ptr<Panel> make_gas_panel(const PanelContext& context);
 
 /// Makes the line of text under the box of run number `run` of several: its label, in the colour
 /// that the run has in plots, and as many of the numbers, except the time, as there is room for in

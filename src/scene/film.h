@@ -33,6 +33,29 @@ struct Followed {
     double width = 0.0;  ///< length
 };
 
+/// From where a box in space is seen. The picture plane stands across the line from the eye to the
+/// middle of the box, so that upright edges stay upright in its middle.
+struct Viewpoint {
+    double turn = -28.0;  ///< degrees by which the box is turned about its upright axis, counter-
+                          ///< clockwise as seen from above: -28 brings the right wall to the front
+    double tilt = 14.0;   ///< degrees by which the eye is above the middle of the box
+    double lens = 1.9;    ///< distance of the eye from the middle of the box, in its diagonals
+};
+
+/// The parts of a viewpoint that are given; the others stay as they are.
+struct ViewpointChange {
+    std::optional<double> turn = {}, tilt = {}, lens = {};
+
+    Viewpoint applied_to(const Viewpoint& from) const {
+        return {turn.value_or(from.turn), tilt.value_or(from.tilt), lens.value_or(from.lens)};
+    }
+};
+
+/// The viewpoint of a film.
+struct FilmViewpoint : Viewpoint {
+    double spin = 0.0;  ///< degrees by which the box turns further during the film
+};
+
 /// The part of the box that the picture shows.
 using View = std::variant<WholeBox, Region, Followed>;
 
@@ -87,9 +110,10 @@ struct Callout {
 
 /// A move of the camera to another view.
 struct CameraMove {
-    double at = 0.0;  ///< simulated time
-    View view;
-    double seconds = 1.5;  ///< of film, duration of the move
+    double at = 0.0;                 ///< simulated time
+    std::optional<View> view;        ///< none: as before
+    ViewpointChange viewpoint = {};  ///< in space
+    double seconds = 1.5;            ///< of film, duration of the move
 };
 
 /// The runs that a film shows side by side, at the same times: first the scene's own.
@@ -155,6 +179,7 @@ struct Film {
     std::optional<FadeOut> fade_out;
     std::vector<Callout> callouts;
     std::vector<CameraMove> camera;  ///< in order of time; empty: the whole box throughout
+    FilmViewpoint viewpoint;         ///< of a box in space
     std::optional<Field> field;
     FilmRuns runs;
     std::optional<Sound> sound;             ///< none: the film is silent

@@ -3,6 +3,7 @@
 // none.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,11 @@ Problems text_problems(const DrawnFigure& figure, const std::string& words);
 
 /// Checks a box of disks of this width and height.
 Problems gas_problems(const DrawnFigure& figure, double width, double height);
+
+/// The same of spheres in a figure in print, in a box of this size seen from a viewpoint: turn and
+/// tilt in degrees, lens. They are drawn from the farthest to the nearest.
+Problems sphere_problems(const DrawnFigure& figure, const std::array<double, 3>& size,
+                         const std::array<double, 3>& viewpoint);
 
 /// The colour of a number, according to the colour key in the picture.
 Paint key_color(const SvgPicture& picture, double value);

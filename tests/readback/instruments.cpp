@@ -1,6 +1,7 @@
 // Reads panels that are not plots: dials, numbers, text, a single collision, boxes of disks and
 // lines of beads.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -386,15 +387,63 @@ void compare_colors(Problems& problems, const Row& row, const Disk& disk) {
         problems.push_back("particle " + row.at("particle") + " has another colour");
 }
 
-// Disks are known in the order in which they were first drawn.
-template <class PlaceOf>
-std::vector<Row> in_order_of_drawing(std::vector<Row> rows, const std::vector<Disk>& disks,
-                                     const PlaceOf& place_of) {
-    std::ranges::sort(rows, {}, [&](const Row& row) { return &nearest(disks, place_of(row)); });
-    return rows;
-}
-
 }  // namespace
+
+// In print a sphere is a disk with a smaller one on it, both around its middle. The scale and the
+// place of the box in the picture follow from the means and the spread of all middles.
+Problems sphere_problems(const DrawnFigure& figure, const std::array<double, 3>& size,
+                         const std::array<double, 3>& viewpoint) {
+    const auto& [turn, tilt, lens] = viewpoint;
+    constexpr double degree = std::numbers::pi / 180.0;
+    const double distance_of_eye = lens * std::hypot(size[0], size[1], size[2]);
+    struct Sphere {
+        double x, y, scale, nearness;
+        std::string number;
+    };
+    std::vector<Sphere> spheres;
+    std::vector<double> radii;
+    for (const Row& row : rows_of(figure, "sphere")) {
+        const double x = number(row, "x (length)") - size[0] / 2,
+                     y = number(row, "y (length)") - size[1] / 2,
+                     z = number(row, "z (length)") - size[2] / 2;
+        const double across = x * std::cos(turn * degree) + z * std::sin(turn * degree);
+        const double deep = z * std::cos(turn * degree) - x * std::sin(turn * degree);
+        const double up = y * std::cos(tilt * degree) - deep * std::sin(tilt * degree);
+        const double near = y * std::sin(tilt * degree) + deep * std::cos(tilt * degree);
+        const double scale = distance_of_eye / (distance_of_eye - near);
+        spheres.push_back({scale * across, -scale * up, scale * number(row, "radius (length)"),
+                           -std::hypot(across, up, distance_of_eye - near), row.at("particle")});
+    }
+    std::ranges::sort(spheres, {}, &Sphere::nearness);
+    std::vector<Disk> disks;
+    for (const Disk& disk : disks_of(figure))
+        if (disks.empty() || distance(disks.back().middle, disk.middle) > 1e-3)
+            disks.push_back(disk);
+    if (disks.size() < spheres.size() || spheres.size() < 3)
+        return {"not as many spheres as in the table"};
+    disks.resize(spheres.size());  // then the key
+    const auto count = static_cast<double>(spheres.size());
+    double x = 0.0, y = 0.0, own_x = 0.0, own_y = 0.0, square = 0.0, own = 0.0;
+    for (std::size_t k = 0; k < spheres.size(); ++k) {
+        x += disks[k].middle.x / count, y += disks[k].middle.y / count;
+        own_x += spheres[k].x / count, own_y += spheres[k].y / count;
+    }
+    for (std::size_t k = 0; k < spheres.size(); ++k) {
+        square += std::pow(disks[k].middle.x - x, 2) + std::pow(disks[k].middle.y - y, 2);
+        own += std::pow(spheres[k].x - own_x, 2) + std::pow(spheres[k].y - own_y, 2);
+    }
+    const double scale = std::sqrt(square / own);
+    Problems problems;
+    for (std::size_t k = 0; k < spheres.size(); ++k) {
+        const Spot place{x + scale * (spheres[k].x - own_x), y + scale * (spheres[k].y - own_y)};
+        const double off = distance(disks[k].middle, place);
+        if (!(off <= half_a_pixel)) problems.push_back(off_by("sphere " + spheres[k].number, off));
+        const double radius = scale * spheres[k].scale;
+        if (!(std::abs(disks[k].radius - radius) <= half_a_pixel))
+            problems.push_back(off_by("the radius of sphere " + spheres[k].number, radius));
+    }
+    return problems;
+}
 
 Problems gas_problems(const DrawnFigure& figure, double width, double height) {
     constexpr double least_radius = 1.2;  // the smallest radius with which disks are drawn
@@ -405,8 +454,7 @@ Problems gas_problems(const DrawnFigure& figure, double width, double height) {
         problems.push_back("the box has another shape");
     std::vector<Disk> disks = disks_of(figure);
     std::erase_if(disks, [&](const Disk& disk) { return disk.middle.x > ground.right; });  // key
-    std::vector<Row> rows = rows_of(figure, "disk");
-    if (rows.empty()) rows = rows_of(figure, "sphere");
+    const std::vector<Row> rows = rows_of(figure, "disk");
     if (disks.size() != rows.size() || rows.empty()) return {"not as many disks as in the table"};
     const auto place_of = [&](const Row& row) {
         return Spot{ground.left + scale * number(row, "x (length)"),
@@ -422,12 +470,6 @@ Problems gas_problems(const DrawnFigure& figure, double width, double height) {
             problems.push_back(off_by("the radius of disk " + row.at("particle"), radius));
         compare_colors(problems, row, disk);
     }
-    const std::vector<Row> spheres =
-        in_order_of_drawing(rows_of(figure, "sphere"), disks, place_of);
-    for (std::size_t k = 1; k < spheres.size(); ++k)
-        if (!(number(spheres[k - 1], "z (length)") <= number(spheres[k], "z (length)")))
-            problems.push_back("sphere " + spheres[k].at("particle") +
-                               " is drawn over one in front");
     return problems;
 }
 

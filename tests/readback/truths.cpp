@@ -1,6 +1,7 @@
 // Scenes whose numbers can be worked out by hand: pictures and tables are compared with these.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 
 #include "readback/checks.h"
@@ -159,7 +160,9 @@ TEST_CASE("spheres have their places in the run, and those in front are drawn ov
     const std::filesystem::path scene =
         checkout() / "tests" / "readback" / "scenes" / "spheres.yaml";
     DrawnFigure figure = figures_of(scene).at("gas");
-    check_none(gas_problems(figure, 12.0, 8.0));
+    const std::array<double, 3> size{12.0, 8.0, 9.0};
+    check_none(sphere_problems(figure, size, {30.0, 20.0, 1.5}));
+    CHECK(sphere_problems(figure, size, {31.0, 20.0, 1.5}).size() > 10);
     const std::vector<Row> spheres = rows_of(figure, "sphere"),
                            samples = samples_of(scene, spheres.size());
     REQUIRE(spheres.size() == 40);
@@ -174,7 +177,7 @@ TEST_CASE("spheres have their places in the run, and those in front are drawn ov
     for (Row& row : figure.table)
         if (row.at("part") == "sphere")
             row.at("z (length)") = std::to_string(9.0 - number(row, "z (length)"));
-    CHECK(gas_problems(figure, 12.0, 8.0).size() > 30);  // as seen from behind
+    CHECK(sphere_problems(figure, size, {30.0, 20.0, 1.5}).size() > 30);  // seen from behind
 }
 
 TEST_CASE("bars of errors reach as far as the table says") {

@@ -94,7 +94,9 @@ std::vector<FilmNote> film_notes(const Scene& scene, const std::vector<Tick>& ti
     }
     const std::vector<CameraMove>& moves = scene.film.camera;
     for (std::size_t k = 0; k < moves.size(); ++k) {
-        notes.push_back({moves[k].at, words_of(scene, moves[k].view)});
+        notes.push_back(
+            {moves[k].at, moves[k].view ? words_of(scene, *moves[k].view)
+                                        : say(language, "The box is seen from another viewpoint")});
         if (k + 1 < moves.size()) notes.back().until = moves[k + 1].at;
     }
     return notes;

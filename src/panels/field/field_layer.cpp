@@ -274,23 +274,30 @@ void FieldLayer::draw_flow(Canvas& canvas, const DrawContext& dc, Point middle, 
 }
 
 void FieldLayer::draw(Canvas& canvas, const DrawContext& dc, const FieldState& state,
-                      const std::function<Rect(const Region&)>& place) const {
-    if (!is_flow()) return draw_colors(canvas, dc, state, place);
+                      const Place& place, const OnWall& on_wall) const {
+    if (!is_flow()) return draw_colors(canvas, dc, state, place, on_wall);
     for (Eigen::Index square = 0; square < squares_.all(); ++square) {
         const auto cell = static_cast<std::size_t>(measured_in(square));
         const double value = static_cast<double>(state.values[cell]);
         if (std::isnan(value)) continue;
         const Rect exact = place(squares_.region(square));
         const double up = state.up.empty() ? 0.0 : static_cast<double>(state.up[cell]);
-        draw_flow(canvas, dc, {exact.x + exact.width / 2, exact.y + exact.height / 2}, {value, up},
-                  exact.width / scale_.top);
+        Point middle{exact.x + exact.width / 2, exact.y + exact.height / 2}, flow{value, up};
+        const double reach = exact.width / scale_.top;
+        if (on_wall) {
+            const Vec center = squares_.region(square).low + 0.5 * squares_.size;
+            middle = on_wall(center);
+            const Point end = on_wall(center + squares_.size[0] / scale_.top * Vec{value, up});
+            flow = {(end.x - middle.x) / reach, (middle.y - end.y) / reach};
+        }
+        draw_flow(canvas, dc, middle, flow, reach);
     }
 }
 
 // Cells are divided into parts that can hardly be told apart. Parts of one colour beside each other
 // are filled together.
 void FieldLayer::draw_colors(Canvas& canvas, const DrawContext& dc, const FieldState& state,
-                             const std::function<Rect(const Region&)>& place) const {
+                             const Place& place, const OnWall& on_wall) const {
     const ColorMap map = colors(dc.theme);
     const Box& box = context_.box();
     const Rect first = place(cells_.region(0));
@@ -329,11 +336,21 @@ void FieldLayer::draw_colors(Canvas& canvas, const DrawContext& dc, const FieldS
         next = begin + 1;
         while (next % columns != 0 && color_at(next) == color) ++next;
         if (!color) continue;
+        const Color its = rgb(*color & 0xFFFFFF);
+        if (on_wall) {
+            // Each reaches a little under the next ones, so that no gap shows between them.
+            const Vec low = fine.region(begin).low;
+            const Vec high = lower(fine.region(next - 1).high + 0.1 * fine.size, box.size);
+            canvas.fill_polygon(std::array{on_wall({low[0], low[1]}), on_wall({high[0], low[1]}),
+                                           on_wall({high[0], high[1]}), on_wall({low[0], high[1]})},
+                                mix(dc.theme.page, its, field_->opacity));
+            continue;
+        }
         const auto row = static_cast<std::size_t>(begin / columns);
         const double x = left[static_cast<std::size_t>(begin % columns)], y = bottom[row + 1];
         canvas.fill(
             {x, y, left[static_cast<std::size_t>((next - 1) % columns) + 1] - x, bottom[row] - y},
-            with_alpha(rgb(*color & 0xFFFFFF), field_->opacity));
+            with_alpha(its, field_->opacity));
     }
 }
 

@@ -20,7 +20,7 @@ namespace carom {
 
 /// The cells in which a film's field is measured: squares of the picture or, along directions in
 /// which all places are alike (even_axes()), as long as the box; in space always as deep as the
-/// box, so that a field is the mean along the line of sight. Requires a field.
+/// box, so that a field is the mean along z. Requires a field.
 Cells cells_of_field(const Scene& scene);
 
 /// Cells with a lower mean number of particles show nothing.
@@ -101,9 +101,13 @@ class FieldLayer {
         if (shown_) archive(*shown_);
     }
 
-    /// Draws a state; `place` maps a region of the box to its rectangle on the canvas.
-    void draw(Canvas& canvas, const DrawContext& dc, const FieldState& state,
-              const std::function<Rect(const Region&)>& place) const;
+    /// Draws a state; `place` maps a region of the box to its rectangle on the canvas. In space the
+    /// field lies on the back wall: `on_wall` maps places on it, and `place` gives the size of the
+    /// picture of a region of it.
+    using Place = std::function<Rect(const Region&)>;
+    using OnWall = std::function<Point(const Vec&)>;
+    void draw(Canvas& canvas, const DrawContext& dc, const FieldState& state, const Place& place,
+              const OnWall& on_wall = {}) const;
 
     /// Draws the key of the field into the area; `scale` is pixels per unit length.
     void draw_key(Canvas& canvas, const DrawContext& dc, double scale) const;
@@ -128,7 +132,7 @@ class FieldLayer {
     bool is_flow() const { return field_->of == FieldOf::flow; }
     ColorMap colors(const Theme& theme) const;
     void draw_colors(Canvas& canvas, const DrawContext& dc, const FieldState& state,
-                     const std::function<Rect(const Region&)>& place) const;
+                     const Place& place, const OnWall& on_wall) const;
     double reach(double scale) const;  ///< pixels of an arrow per unit of speed
     Eigen::Index measured_in(Eigen::Index square) const;
     void draw_flow(Canvas& canvas, const DrawContext& dc, Point middle, Point velocity,

@@ -24,17 +24,62 @@ CameraView between(const CameraView& from, const CameraView& to, double share) {
     return {from.middle + turned * (to.middle - from.middle), width};
 }
 
-Camera::Camera(const PanelContext& context, const std::optional<View>& fixed)
-    : context_(context), moves_(context.film().camera) {
-    if (fixed) moves_ = {{0.0, *fixed, 0.0}};
-    const bool all_whole = std::ranges::all_of(
-        moves_, [](const CameraMove& move) { return std::holds_alternative<WholeBox>(move.view); });
-    if (all_whole) moves_.clear();
+Viewpoint between(const Viewpoint& from, const Viewpoint& to, double share) {
+    return {std::lerp(from.turn, to.turn, share), std::lerp(from.tilt, to.tilt, share),
+            std::lerp(from.lens, to.lens, share)};
+}
+
+Camera::Camera(const PanelContext& context, const FixedView& fixed)
+    : context_(context), viewpoint_(context.film().viewpoint), moves_(context.film().camera) {
+    if (fixed.view) {
+        // The viewpoint of the film at the time of the figure goes on.
+        for (CameraMove& move : moves_) move.view = std::nullopt;
+        moves_.insert(moves_.begin(), {0.0, *fixed.view, {}, 0.0});
+    }
+    if (fixed.from) {
+        viewpoint_ = {fixed.from->applied_to(viewpoint_), 0.0};
+        for (CameraMove& move : moves_) move.viewpoint = {};
+    }
     for (const CameraMove& move : moves_) {
-        const auto* followed = std::get_if<Followed>(&move.view);
+        const ViewpointChange& its = move.viewpoint;
+        shows_parts_ |= move.view && !std::holds_alternative<WholeBox>(*move.view);
+        changes_viewpoint_ |= its.turn || its.tilt || its.lens;
+    }
+    if (!shows_parts_ && !changes_viewpoint_) moves_.clear();
+    for (const CameraMove& move : moves_) {
+        const auto* followed = move.view ? std::get_if<Followed>(&*move.view) : nullptr;
         followed_.emplace_back(
             context, followed ? std::vector<Chosen>{followed->what} : std::vector<Chosen>{});
     }
+}
+
+// A film without motion turns at once.
+double Camera::spun_at(double seconds) const {
+    const Film& film = context_.film();
+    const double all = film.seconds - card_seconds(film);
+    return viewpoint_.spin * smooth(all > 0.0 ? std::clamp(seconds / all, 0.0, 1.0) : 1.0);
+}
+
+std::vector<Viewpoint> Camera::viewpoints() const {
+    constexpr double apart = 5.0;  // degrees of turning, between which the box hardly grows
+    constexpr int steps = 8;       // of a move
+    std::vector<Viewpoint> stations{viewpoint_};
+    for (const CameraMove& move : moves_)
+        stations.push_back(move.viewpoint.applied_to(stations.back()));
+    std::vector<Viewpoint> on_the_way{stations.front()};
+    for (std::size_t k = 1; k < stations.size(); ++k)
+        for (int step = 1; step <= steps; ++step)
+            on_the_way.push_back(between(stations[k - 1], stations[k], double(step) / steps));
+    if (viewpoint_.spin == 0.0) return on_the_way;
+    const int turns = static_cast<int>(std::ceil(std::abs(viewpoint_.spin) / apart));
+    std::vector<Viewpoint> all;
+    for (Viewpoint at : on_the_way)
+        for (int turn = 0; turn <= turns; ++turn) {
+            Viewpoint turned = at;
+            turned.turn += viewpoint_.spin * turn / turns;
+            all.push_back(turned);
+        }
+    return all;
 }
 
 Vec Camera::nearest_image(const Vec& of, const Vec& to) const {
@@ -64,7 +109,7 @@ Vec Camera::target(std::size_t move, const FrameInput& input) {
 
 // A target continues across periodic sides without a jump.
 void Camera::survey(const FrameInput& input) {
-    if (!moves()) return;
+    if (!shows_parts_ && !turns()) return;
     Frame frame{input.tick.time, input.tick.seconds, {}};
     for (std::size_t k = 0; k < moves_.size(); ++k) {
         const Vec now = target(k, input);
@@ -77,7 +122,7 @@ void Camera::survey(const FrameInput& input) {
 // A region is widened to the aspect ratio of the box; its middle and its width are limited to the
 // largest extent of the box.
 CameraView Camera::view_of(std::size_t move, const Frame& frame, const Region& whole_box) const {
-    const View& view = moves_[move].view;
+    const View& view = *moves_[move].view;
     const Vec all = whole_box.high - whole_box.low;
     if (const auto* followed = std::get_if<Followed>(&view))
         return {frame.targets[move], std::min(followed->width, all[0])};
@@ -96,22 +141,29 @@ void Camera::fix_way(const Region& whole_box) {
     const CameraView whole = whole_of(whole_box);
     std::vector<std::optional<Vec>> shifts(moves_.size());
     std::vector<double> begins(moves_.size(), 0.0);
+    std::vector<bool> began(moves_.size(), false);
     for (const Frame& frame : frames_) {
         CameraView now = whole;
+        Viewpoint from = viewpoint_;
         for (std::size_t k = 0; k < moves_.size() && moves_[k].at <= frame.time; ++k) {
-            CameraView next = view_of(k, frame, whole_box);
-            if (!shifts[k]) {
-                shifts[k] = nearest_image(next.middle, now.middle) - next.middle;
+            if (!began[k]) {
+                began[k] = true;
                 begins[k] = &frame == &frames_.front() ? -1e9 : frame.seconds;
             }
-            next.middle += *shifts[k];
             const double passed = frame.seconds - begins[k], takes = moves_[k].seconds;
-            now = between(now, next,
-                          takes > 0.0 ? smooth(std::clamp(passed / takes, 0.0, 1.0)) : 1.0);
+            const double share = takes > 0.0 ? smooth(std::clamp(passed / takes, 0.0, 1.0)) : 1.0;
+            from = between(from, moves_[k].viewpoint.applied_to(from), share);
+            if (!moves_[k].view) continue;
+            CameraView next = view_of(k, frame, whole_box);
+            if (!shifts[k]) shifts[k] = nearest_image(next.middle, now.middle) - next.middle;
+            next.middle += *shifts[k];
+            now = between(now, next, share);
         }
+        if (turns()) turned_.push_back({from.turn + spun_at(frame.seconds), from.tilt, from.lens});
+        if (!shows_parts_) continue;
         const Vec off = nearest_image(now.middle, whole.middle) - whole.middle;
-        const bool is_whole =
-            now.width > (1.0 - 1e-9) * whole.width && longest(abs(off), 2) < 1e-9 * whole.width;
+        const bool is_whole = now.width > (1.0 - 1e-9) * whole.width &&
+                              longest(abs(off), context_.box().dimension) < 1e-9 * whole.width;
         way_.push_back(is_whole ? CameraView{} : now);
     }
     frames_ = {};
@@ -120,9 +172,15 @@ void Camera::fix_way(const Region& whole_box) {
 std::optional<CameraView> Camera::at(std::size_t frame) const {
     if (frame >= way_.size() || way_[frame].width <= 0.0) return std::nullopt;
     CameraView view = way_[frame];
-    for (const int axis : {0, 1})
+    for (const int axis : {0, 1, 2})
         view.middle[axis] = context_.box().wrapped(axis, view.middle[axis]);
     return view;
+}
+
+Viewpoint Camera::viewpoint_at(std::size_t frame) const {
+    if (turned_.empty()) return viewpoint_;
+    const Turned& at = turned_[std::min(frame, turned_.size() - 1)];
+    return {at.turn, at.tilt, at.lens};
 }
 
 // After the last frame, behind an end card, its view stays.

@@ -1,6 +1,5 @@
-// The disks of the gas and their ghosts; in space the spheres, as seen from the front, from the
-// back to the front. They are drawn one by one or, if they are too small and too many to be
-// distinguished, by the share of each pixel that they cover.
+// The disks of the gas and their ghosts. They are drawn one by one or, if they are too small and
+// too many to be distinguished, by the share of each pixel that they cover.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -18,7 +17,6 @@ namespace {
 
 constexpr double rim_line = 0.09;     // units: of disks whose colour hardly differs from the ground
 constexpr double least_cover = 0.25;  // share of the box that enlarged small disks may cover
-constexpr double rim_fade = 0.55;     // toward the ground: of the rims of spheres, which overlap
 
 std::uint32_t rgb_of(Color color) { return to_pixel(color) & 0xFFFFFF; }
 
@@ -52,7 +50,8 @@ void GasPanel::Drawing::draw_crowd(const Eigen::ArrayXXf& places, const ColorOf&
     const auto for_each = [&](const auto& add) {
         for (Eigen::Index i = 0; i < radius.size(); ++i) {
             if (!is_in_crowd(i) || std::isnan(places(i, 0))) continue;
-            const auto shown = static_cast<float>(std::max(least_shown, radius[i] * scale));
+            const auto shown =
+                static_cast<float>(std::max(least_shown, radius[i] * scale_at(places, i)));
             const std::uint32_t color = color_of(i);
             for_each_image(place_of(places, i), radius[i], [&](Point at) {
                 add(Disk{static_cast<float>(at.x), static_cast<float>(at.y), shown, color});
@@ -70,29 +69,42 @@ void GasPanel::Drawing::draw_crowd(const Eigen::ArrayXXf& places, const ColorOf&
     small.draw(canvas);
 }
 
-// Those that are there and are drawn one by one. Of two spheres, or of a sphere and an obstacle,
-// the one whose middle is further in front hides the other wherever they overlap in the picture.
-std::vector<Eigen::Index> GasPanel::Drawing::back_to_front(const Eigen::ArrayXXf& places) const {
+void GasPanel::Drawing::draw_crowd_of_spheres() const {
+    const Inks its = inks();
+    draw_crowd(gas.place, [&](Eigen::Index i) {
+        const Color color = faded(rgb(its.edges[shade(i)]), place_of(gas.place, i));
+        return dimmed(rgb_of(color), i);
+    });
+}
+
+// Those that are there and are drawn one by one, in space from the back to the front.
+std::vector<Eigen::Index> GasPanel::Drawing::drawn_alone(const Eigen::ArrayXXf& places) const {
     std::vector<Eigen::Index> order;
     order.reserve(static_cast<std::size_t>(places.rows()));
     for (Eigen::Index i = 0; i < places.rows(); ++i)
         if (!is_in_crowd(i) && !std::isnan(places(i, 0))) order.push_back(i);
-    sort_by_depth(order, places);
     return order;
 }
 
-void GasPanel::Drawing::sort_by_depth(std::vector<Eigen::Index>& order,
-                                      const Eigen::ArrayXXf& places) const {
+// They, and disks of the crowd with a ring, a callout or, in space, a trail.
+std::vector<Eigen::Index> GasPanel::Drawing::with_marks(const Eigen::ArrayXXf& places) const {
+    std::vector<Eigen::Index> order = drawn_alone(places);
+    const auto add_from_crowd = [&](Eigen::Index i) {
+        if (is_in_crowd(i)) order.push_back(i);
+    };
+    for (const Spotlights::Ring& ring : gas.rings) add_from_crowd(ring.particle);
+    for (const Callouts::Present& callout : gas.callouts) add_from_crowd(callout.particle);
     if (is_deep())
-        std::ranges::sort(order, {}, [&](Eigen::Index i) { return std::pair(places(i, 2), i); });
+        for (const TrailedParticle& one : panel.followed_)
+            if (gas.is_shown(one.particle)) add_from_crowd(one.particle);
+    return order;
 }
 
 // They hide nothing of what is behind them.
 void GasPanel::Drawing::draw_outlines() const {
     constexpr double opacity = 0.55;  // the field is what is to be seen
     const auto color_of = [&](Eigen::Index i) {
-        return with_alpha(gas.seen(edge_of(colors[shade(i)], dc.theme), i, dc.theme.ground),
-                          opacity);
+        return with_alpha(gas.seen(edge_of(colors[shade(i)], dc.theme), i, ground), opacity);
     };
     draw_crowd(gas.place, [&](Eigen::Index i) { return rgb_of(color_of(i)); });
     const bool is_laid_over = panel.context_.is_laid_over();
@@ -115,38 +127,33 @@ void GasPanel::Drawing::draw_ghosts() const {
     const std::uint32_t muted = rgb_of(dc.theme.muted);
     draw_crowd(gas.ghosts->place, [&](Eigen::Index) { return muted; });
     std::vector<Disk> disks;
-    for (const Eigen::Index i : back_to_front(gas.ghosts->place)) {
-        const double shown = shown_radius(i);
+    for (const Eigen::Index i : drawn_alone(gas.ghosts->place)) {
+        const double shown = shown_radius(gas.ghosts->place, i);
         for_each_image(place_of(gas.ghosts->place, i), radius[i], [&](Point at) {
-            add_disk(disks, at, shown, muted, inside_ring(shown, ghost_line(dc)),
-                     rgb_of(dc.theme.ground));
+            add_disk(disks, at, shown, muted, inside_ring(shown, ghost_line(dc)), rgb_of(ground));
         });
     }
     dc.disks.draw(canvas, disks, frame);
 }
 
 GasPanel::Drawing::Inks GasPanel::Drawing::inks() const {
-    Inks its{.ground = rgb_of(dc.theme.ground), .rim = std::max(2.0, rim_line * dc.unit)};
+    Inks its{.ground = rgb_of(ground), .rim = std::max(2.0, rim_line * dc.unit)};
     for (const Color& color : colors) {
-        const Color edge = edge_of(color, dc.theme);
         its.pixels.push_back(rgb_of(color));
-        its.edges.push_back(rgb_of(edge));
-        const bool has_rim = !is_deep() || rgb_of(edge) != rgb_of(color);
-        its.rims.push_back(has_rim ? its.edges.back()
-                                   : rgb_of(mix(color, dc.theme.ground, rim_fade)));
+        its.edges.push_back(rgb_of(edge_of(color, dc.theme)));
     }
     return its;
 }
 
 std::uint32_t GasPanel::Drawing::dimmed(std::uint32_t color, Eigen::Index i) const {
-    return gas.light.empty() ? color : rgb_of(gas.seen(rgb(color), i, dc.theme.ground));
+    return gas.light.empty() ? color : rgb_of(gas.seen(rgb(color), i, ground));
 }
 
 void GasPanel::Drawing::add_body(std::vector<Disk>& disks, Eigen::Index i, const Inks& its) const {
     const double shown = shown_radius(i);
     const bool is_filled = panel.is_filled(i, gas);
     const std::uint32_t color = dimmed(its.pixels[shade(i)], i);
-    const std::uint32_t edge = dimmed((is_filled ? its.rims : its.edges)[shade(i)], i);
+    const std::uint32_t edge = dimmed(its.edges[shade(i)], i);
     double inside = 0.0;
     if (!is_filled || edge != color)
         inside = inside_ring(shown, is_filled ? its.rim : ring_line(shown, dc.unit));
@@ -157,7 +164,7 @@ void GasPanel::Drawing::add_body(std::vector<Disk>& disks, Eigen::Index i, const
 
 // The ring around a disk with a trail.
 void GasPanel::Drawing::add_ring(std::vector<Disk>& disks, Eigen::Index i) const {
-    const double ring = radius[i] * scale + followed_line * dc.unit;
+    const double ring = radius[i] * scale_at(gas.place, i) + followed_line * dc.unit;
     for_each_image(place_of(gas.place, i), radius[i],
                    [&](Point at) { add_disk(disks, at, ring, rgb_of(dc.theme.ink), 0.0, 0); });
 }
@@ -166,20 +173,8 @@ void GasPanel::Drawing::add_ring(std::vector<Disk>& disks, Eigen::Index i) const
 void GasPanel::Drawing::draw_disks() const {
     const Inks its = inks();
     draw_crowd(gas.place, [&](Eigen::Index i) { return dimmed(its.edges[shade(i)], i); });
-    std::vector<Eigen::Index> order = back_to_front(gas.place);
-    const auto add_from_crowd = [&](Eigen::Index i) {
-        if (is_in_crowd(i)) order.push_back(i);
-    };
-    for (const Spotlights::Ring& ring : gas.rings) add_from_crowd(ring.particle);
-    for (const Callouts::Present& callout : gas.callouts) add_from_crowd(callout.particle);
-    if (is_deep()) {
-        for (const TrailedParticle& one : panel.followed_)
-            if (gas.is_shown(one.particle)) add_from_crowd(one.particle);
-        sort_by_depth(order, gas.place);
-        return draw_spheres(order, its);
-    }
     std::vector<Disk> disks;
-    for (const Eigen::Index i : order) add_body(disks, i, its);
+    for (const Eigen::Index i : with_marks(gas.place)) add_body(disks, i, its);
     for (const TrailedParticle& one : panel.followed_) {
         if (!gas.is_shown(one.particle)) continue;
         add_ring(disks, one.particle);
@@ -187,34 +182,6 @@ void GasPanel::Drawing::draw_disks() const {
     }
     dc.disks.draw(canvas, disks, frame);
     draw_marks();
-}
-
-// With what is on them, and with what stands between them.
-void GasPanel::Drawing::draw_spheres(const std::vector<Eigen::Index>& order,
-                                     const Inks& its) const {
-    std::vector<Disk> disks;
-    const auto flush = [&] {
-        dc.disks.draw(canvas, disks, frame);
-        disks.clear();
-    };
-    const auto fixed = panel.surfaces_.in_depth(gas.surfaces);
-    auto next = fixed.begin();
-    const auto draw_next = [&] {
-        flush();
-        panel.surfaces_.draw_in_depth(canvas, dc, map, gas.surfaces, (next++)->surface);
-    };
-    for (const Eigen::Index i : order) {
-        const auto depth = static_cast<double>(gas.place(i, 2));
-        while (next != fixed.end() && next->depth < depth) draw_next();
-        if (!panel.trail_of_.empty() && panel.trail_of_[static_cast<std::size_t>(i)] >= 0)
-            add_ring(disks, i);
-        add_body(disks, i, its);
-        if (!has_mark(i)) continue;
-        flush();
-        draw_mark(i);
-    }
-    while (next != fixed.end()) draw_next();
-    flush();
 }
 
 // Whether a disk may bear a label or the hatching of an infinite mass.
@@ -226,12 +193,12 @@ bool GasPanel::Drawing::has_mark(Eigen::Index i) const {
 }
 
 void GasPanel::Drawing::draw_mark(Eigen::Index i) const {
+    const double shown = radius[i] * scale_at(gas.place, i);
     if (film.labels == Labels::none)
         return for_each_image(place_of(gas.place, i), radius[i],
-                              [&](Point at) { draw_hatching(canvas, dc, at, radius[i] * scale); });
-    draw_words_on(
-        canvas, dc, pixel(i), radius[i] * scale, words_on(panel.context_, i, film.labels),
-        panel.is_disk(i, gas) ? gas.seen(colors[shade(i)], i, dc.theme.ground) : dc.theme.ground);
+                              [&](Point at) { draw_hatching(canvas, dc, at, shown); });
+    draw_words_on(canvas, dc, pixel(i), shown, words_on(panel.context_, i, film.labels),
+                  panel.is_disk(i, gas) ? gas.seen(colors[shade(i)], i, ground) : ground);
 }
 
 void GasPanel::Drawing::draw_marks() const {

@@ -19,7 +19,7 @@
 namespace carom {
 
 void GasPanel::draw_ground(Canvas& canvas, const DrawContext& dc) const {
-    if (camera_.moves()) return;
+    if (camera_.moves() || context_.box().dimension == 3) return;
     const BoxMap map = map_in(dc);
     if (!surfaces_.is_plain()) {
         if (surfaces_.is_still()) surfaces_.draw_room(canvas, dc, map, {});
@@ -37,7 +37,7 @@ void GasPanel::draw(Canvas& canvas, const DrawContext& dc, const PanelState& sta
 // With a moving camera, all of the box changes from frame to frame.
 void GasPanel::Drawing::draw_box() const {
     const SurfaceView& surfaces = panel.surfaces_;
-    if (panel.context_.is_laid_over()) return;
+    if (panel.context_.is_laid_over() || map.space) return;
     if (!panel.camera_.moves()) {
         if (!surfaces.is_still()) surfaces.draw_room(canvas, dc, map, gas.surfaces);
         return;
@@ -73,7 +73,13 @@ void GasPanel::Drawing::draw() const {
 void GasPanel::Drawing::draw_where_it_is() const {
     const double zoom = map.scale / whole.scale;
     canvas.stroke_rect(frame, 0.07 * dc.unit, dc.theme.muted);
-    const Point corner = whole.pixel({map.low[0], map.low[1] + frame.height / map.scale});
+    Point corner{};
+    if (map.space) {
+        const Point before = whole.space->origin(), now = map.space->origin();
+        corner = {before.x + (frame.x - now.x) / zoom, before.y + (frame.y - now.y) / zoom};
+    } else {
+        corner = whole.pixel({map.low[0], map.low[1] + frame.height / map.scale});
+    }
     const Rect part{(corner.x - frame.x) / frame.width, (corner.y - frame.y) / frame.height,
                     1.0 / zoom, 1.0 / zoom};
     draw_view_map(canvas, dc, map_of(map), part, view_map_share(zoom), panel.context_.language());
@@ -93,18 +99,25 @@ Rect GasPanel::Drawing::place_of_callout(const std::vector<Callouts::Step>& step
     double reach = 0.0, scale_before = 0.0;
     for (const Callouts::Step& step : steps) {
         const auto view = panel.camera_.at(static_cast<std::size_t>(step.frame));
-        const BoxMap then = view ? panel.part_of(whole, *view) : whole;
-        Vec at{step.x, step.y};
+        BoxMap then = whole;
+        const Viewpoint from = panel.camera_.viewpoint_at(static_cast<std::size_t>(step.frame));
+        if (then.space) then.space = then.space->seen_from(from);
+        if (view) then = panel.part_of(then, *view);
+        Vec at = step.at;
         if (view) at = view->middle + box.nearest(at - view->middle);
         if (scale_before != then.scale) {
             State seen;
             seen.view = view;
             seen.radii = gas.radii;
+            seen.viewpoint = from;
             Drawing{panel, canvas, dc, seen}.remarks().take_places(taken);
         }
         scale_before = then.scale;
-        way.push_back(then.pixel({at[0], at[1]}));
-        reach = std::max(reach, radius[particle] * then.scale);
+        const Perspective::Image image =
+            then.space ? then.space->image(at)
+                       : Perspective::Image{then.pixel({at[0], at[1]}), then.scale};
+        way.push_back(image.at);
+        reach = std::max(reach, radius[particle] * image.scale);
     }
     return free_place(dc, whole.frame, plate, way, reach, taken);
 }
@@ -132,6 +145,7 @@ void GasPanel::Drawing::draw_callouts() const {
 }
 
 void GasPanel::Drawing::draw_contents() const {
+    if (map.space) return draw_contents_of_space();
     const SurfaceView& surfaces = panel.surfaces_;
     canvas.clip_to(frame);
     if (gas.field) {
@@ -144,8 +158,6 @@ void GasPanel::Drawing::draw_contents() const {
     surfaces.draw_partitions(canvas, dc, map, gas.surfaces);
     draw_trails();
     if (are_outlines()) {
-        for (const SurfaceView::InDepth& one : surfaces.in_depth(gas.surfaces))
-            surfaces.draw_in_depth(canvas, dc, map, gas.surfaces, one.surface);
         draw_outlines();
         draw_marks();
     } else {
@@ -162,7 +174,39 @@ void GasPanel::Drawing::draw_contents() const {
                          gas.ghost_words);
 }
 
+// What is behind the gas, the spheres with what stands among them, what is in front of them.
+void GasPanel::Drawing::draw_contents_of_space() const {
+    const SurfaceView& surfaces = panel.surfaces_;
+    canvas.clip_to(frame);
+    if (gas.field) draw_field();
+    surfaces.draw_behind(canvas, dc, map, gas.surfaces);
+    draw_ghosts();
+    draw_spheres();
+    surfaces.draw_in_front(canvas, dc, map, gas.surfaces);
+    draw_followed();
+    draw_flashes();
+    remarks().draw(canvas);
+    canvas.release_clip();
+    surfaces.draw_around(canvas, dc, map, gas.surfaces);
+    if (gas.ghosts)
+        draw_ghost_words(canvas, dc, {frame.x, frame.y + 1.6 * dc.unit}, frame.width, *gas.ghosts,
+                         gas.ghost_words);
+}
+
+// In space it lies on the wall at the back or, if the box is seen from behind, on the front one.
 void GasPanel::Drawing::draw_field() const {
+    if (map.space) {
+        const double depth = map.space->is_beyond(2, 0.0) ? 0.0 : box.size[2];
+        const auto on_wall = [&](const Vec& at) { return map.space->at({at[0], at[1], depth}); };
+        return panel.field_.draw(
+            canvas, dc, *gas.field,
+            [&](const Region& region) {
+                const Point at = on_wall(0.5 * (region.low + region.high));
+                const Vec size = scale * (region.high - region.low);
+                return Rect{at.x - size[0] / 2, at.y - size[1] / 2, size[0], size[1]};
+            },
+            on_wall);
+    }
     for_each_turn([&](Point shift) {
         panel.field_.draw(canvas, dc, *gas.field, [&](const Region& region) {
             const Vec by{shift.x, shift.y};
@@ -184,11 +228,11 @@ void GasPanel::Drawing::draw_arrows() const {
     canvas.clip_to(VelocityArrows::bounds(dc, field));
     for (Eigen::Index i = 0; i < radius.size(); ++i) {
         if (!panel.arrows_.is_drawn(i) || !gas.is_shown(i)) continue;
-        const Point velocity = place_of(gas.velocity, i);
+        const Vec velocity = place_of(gas.velocity, i);
         const double light = gas.light.empty() ? 1.0 : double(gas.light[std::size_t(i)]);
         const auto draw_one = [&](Point at) {
-            panel.arrows_.draw(canvas, dc, field, at, radius[i] * scale, {velocity.x, -velocity.y},
-                               dc.theme.ground, light);
+            panel.arrows_.draw(canvas, dc, field, at, radius[i] * scale,
+                               {velocity[0], -velocity[1]}, dc.theme.ground, light);
         };
         if (gas.view)
             for_each_in_view(place_of(gas.place, i), radius[i], draw_one);
@@ -209,15 +253,19 @@ bool GasPanel::Drawing::labels_fit() const {
     return false;
 }
 
-void GasPanel::Drawing::add_trail(std::vector<Taper>& tapers, std::size_t followed,
-                                  Point shift) const {
-    const Trail& trail = gas.trails[followed];
+Color GasPanel::Drawing::ink_of_trail(std::size_t followed) const {
     const Eigen::Index particle = panel.followed_[followed].particle;
-    const double seconds = panel.followed_[followed].trail_seconds;
     const Color own = panel.colors_.is_of_species(gas.shades[static_cast<std::size_t>(particle)])
                           ? edge_of(colors[shade(particle)], dc.theme)
                           : dc.theme.ink;
-    const Color ink = gas.seen(own, particle, dc.theme.ground);
+    return gas.seen(own, particle, ground);
+}
+
+void GasPanel::Drawing::add_trail(std::vector<Taper>& tapers, std::size_t followed,
+                                  Point shift) const {
+    const Trail& trail = gas.trails[followed];
+    const double seconds = panel.followed_[followed].trail_seconds;
+    const Color ink = ink_of_trail(followed);
     const auto place = [&](std::size_t i, double across, double up) {
         const Vec& at = trail.places[i];
         const double age = static_cast<double>(trail.ages[i]) / seconds;
@@ -256,7 +304,7 @@ void GasPanel::Drawing::draw_seed_paths() const {
         };
         for (std::size_t i = 0; i < path.time.size() && path.time[i] <= gas.time; ++i) {
             if (i > 0 && path.piece[i] != path.piece[i - 1]) draw_way();
-            way.push_back(pixel(path.place[i]));
+            way.push_back(map.pixel(path.place[i]));
         }
         draw_way();
     }
@@ -289,7 +337,7 @@ void GasPanel::Drawing::draw_followed() const {
     for (const TrailedParticle& one : panel.followed_) {
         const Eigen::Index i = one.particle;
         if (!gas.is_shown(i)) continue;
-        const double shown = radius[i] * scale, line = followed_line * dc.unit;
+        const double shown = radius[i] * scale_at(gas.place, i), line = followed_line * dc.unit;
         if (gas.field)  // a disk was drawn with it; the other run's has it
             for_each_image(place_of(gas.place, i), radius[i], [&](Point at) {
                 canvas.stroke_circle(at, shown + 0.5 * line, line, dc.theme.ink);

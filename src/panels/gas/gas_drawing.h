@@ -1,5 +1,6 @@
-// A frame of the gas while it is drawn: what the two implementation files share. gas_drawing.cpp
-// draws the box and what lies around disks, gas_disks.cpp the disks.
+// A frame of the gas while it is drawn: what the implementation files share. gas_drawing.cpp draws
+// the box and what lies around disks, gas_disks.cpp the disks, gas_spheres.cpp the spheres of a box
+// in space with all that stands among them.
 #pragma once
 
 #include <algorithm>
@@ -34,19 +35,30 @@ struct GasPanel::Drawing {
     const Film& film = panel.context_.film();
     const Box& box = panel.context_.box();
     const Eigen::ArrayXd& radius = gas.radii->of;  ///< NaN of a particle that is absent
-    BoxMap whole = panel.map_in(dc);
+    BoxMap whole = panel.map_from(dc, gas.viewpoint);
     BoxMap map = gas.view ? panel.part_of(whole, *gas.view) : whole;
-    Rect frame =
-        gas.surfaces.empty() || gas.view ? map.frame : map.rect(panel.surfaces_.room(gas.surfaces));
+    Rect frame = gas.surfaces.empty() || gas.view || map.space
+                     ? map.frame
+                     : map.rect(panel.surfaces_.room(gas.surfaces));
     double scale = map.scale;
+    Color ground = map.space ? dc.theme.page : dc.theme.ground;  ///< behind the particles
     std::vector<Color> colors = panel.colors_.of_shades(dc.theme);
     double least_shown = radius_in_crowd();  ///< of disks that are smaller, in pixels
 
-    Point pixel(const Point& place) const { return map.pixel(place); }
-    static Point place_of(const Eigen::ArrayXXf& all, Eigen::Index i) {
-        return {static_cast<double>(all(i, 0)), static_cast<double>(all(i, 1))};
+    Perspective::Image image(const Vec& place) const {
+        if (map.space) return map.space->image(place);
+        return {map.pixel({place[0], place[1]}), scale};
+    }
+    Point pixel(const Vec& place) const { return image(place).at; }
+    Vec place_of(const Eigen::ArrayXXf& all, Eigen::Index i) const {
+        return {static_cast<double>(all(i, 0)), static_cast<double>(all(i, 1)),
+                is_deep() ? static_cast<double>(all(i, 2)) : 0.0};
     }
     Point pixel(Eigen::Index i) const { return pixel(place_of(gas.place, i)); }
+    /// Pixels for each unit of length where a particle is.
+    double scale_at(const Eigen::ArrayXXf& all, Eigen::Index i) const {
+        return map.space ? map.space->image(place_of(all, i)).scale : scale;
+    }
     std::size_t shade(Eigen::Index i) const {
         return gas.shades[static_cast<std::size_t>(i)] % colors.size();
     }
@@ -56,27 +68,31 @@ struct GasPanel::Drawing {
     bool is_in_crowd(Eigen::Index i) const {
         return least_shown < least_radius && radius[i] * scale < least_radius;
     }
-    /// The radius of a disk that is drawn individually, in pixels.
-    double shown_radius(Eigen::Index i) const { return std::max(least_radius, radius[i] * scale); }
+    /// The radius of a particle that is drawn individually, in pixels.
+    double shown_radius(Eigen::Index i) const { return shown_radius(gas.place, i); }
+    double shown_radius(const Eigen::ArrayXXf& all, Eigen::Index i) const {
+        return std::max(least_radius, radius[i] * scale_at(all, i));
+    }
 
     /// Calls `draw` with the position on the canvas of a disk, and of each periodic image that
-    /// reaches into the box.
+    /// reaches into the box. A sphere has one image, that of its middle in the box.
     template <class Draw>
-    void for_each_image(Point place, double reach, const Draw& draw) const {
+    void for_each_image(const Vec& place, double reach, const Draw& draw) const {
+        if (map.space) return draw(pixel(place));
         if (gas.view) return for_each_in_view(place, reach, draw);
-        const double across = image_shift(box, 0, place.x, reach);
-        const double up = image_shift(box, 1, place.y, reach);
+        const double across = image_shift(box, 0, place[0], reach);
+        const double up = image_shift(box, 1, place[1], reach);
         draw(pixel(place));
-        if (across != 0.0) draw(pixel({place.x + across, place.y}));
-        if (up != 0.0) draw(pixel({place.x, place.y + up}));
-        if (across != 0.0 && up != 0.0) draw(pixel({place.x + across, place.y + up}));
+        if (across != 0.0) draw(pixel({place[0] + across, place[1]}));
+        if (up != 0.0) draw(pixel({place[0], place[1] + up}));
+        if (across != 0.0 && up != 0.0) draw(pixel({place[0] + across, place[1] + up}));
     }
 
     /// The same for a view of a part of the box, which may extend across a periodic side.
     template <class Draw>
-    void for_each_in_view(Point place, double reach, const Draw& draw) const {
+    void for_each_in_view(const Vec& place, double reach, const Draw& draw) const {
         for_each_turn([&](Point shift) {
-            const Point at = pixel({place.x + shift.x, place.y + shift.y});
+            const Point at = pixel({place[0] + shift.x, place[1] + shift.y});
             const double around = reach * scale + dc.unit;
             if (at.x > frame.x - around && at.x < frame.right() + around &&
                 at.y > frame.y - around && at.y < frame.bottom() + around)
@@ -95,6 +111,7 @@ struct GasPanel::Drawing {
     void draw() const;
     void draw_box() const;
     void draw_contents() const;
+    void draw_contents_of_space() const;
     void draw_where_it_is() const;
     ViewMap map_of(const BoxMap& view) const;
     void draw_callouts() const;
@@ -110,21 +127,26 @@ struct GasPanel::Drawing {
     template <class Draw>
     void for_each_streak(Eigen::Index i, const Draw& draw) const;
     void draw_streaks() const;
-    /// What disks are drawn with: the colours of the shades as they are, legible, and of rims.
+    /// What disks are drawn with: the colours of the shades as they are, and legible.
     struct Inks {
-        std::vector<std::uint32_t> pixels = {}, edges = {}, rims = {};
+        std::vector<std::uint32_t> pixels = {}, edges = {};
         std::uint32_t ground = 0;
         double rim = 0.0;  ///< pixels
     };
     Inks inks() const;
     bool is_deep() const { return box.dimension == 3; }
-    std::vector<Eigen::Index> back_to_front(const Eigen::ArrayXXf& places) const;
-    void sort_by_depth(std::vector<Eigen::Index>& order, const Eigen::ArrayXXf& places) const;
+    std::vector<Eigen::Index> drawn_alone(const Eigen::ArrayXXf& places) const;
+    std::vector<Eigen::Index> with_marks(const Eigen::ArrayXXf& places) const;
     std::uint32_t dimmed(std::uint32_t color, Eigen::Index i) const;
     void add_body(std::vector<Disk>& disks, Eigen::Index i, const Inks& its) const;
     void add_ring(std::vector<Disk>& disks, Eigen::Index i) const;
     void draw_disks() const;
-    void draw_spheres(const std::vector<Eigen::Index>& order, const Inks& its) const;
+    struct Spheres;
+    void draw_spheres() const;
+    void draw_crowd_of_spheres() const;
+    Color faded(Color color, const Vec& place) const;
+    void draw_arrow_of(Eigen::Index i) const;
+    Color ink_of_trail(std::size_t followed) const;
     bool has_mark(Eigen::Index i) const;
     void draw_mark(Eigen::Index i) const;
     void draw_marks() const;

@@ -11,7 +11,7 @@
 #include "physics/gas.h"
 #include "physics/vec.h"
 #include "scene/panel_kind.h"
-#include "scene/reading/overlay_reading.h"
+#include "scene/reading/camera/camera_reading.h"
 
 namespace carom {
 namespace {
@@ -29,9 +29,9 @@ Vec contact_of(const Collision& collision, const Particles& particles) {
 
 }  // namespace
 
-GasPanel::GasPanel(const PanelContext& context, const std::optional<View>& view)
-    : ParticlePanel(context, view),
-      surfaces_(context),
+GasPanel::GasPanel(const PanelContext& context, const FixedView& fixed)
+    : ParticlePanel(context, fixed),
+      surfaces_(context, camera_.viewpoints()),
       streaks_(context),
       radii_(std::make_shared<const DrawnRadii>(context.looks(), context.particles, Sample{})) {
     choose_particles();
@@ -48,7 +48,7 @@ void GasPanel::survey(const FrameInput& input) {
     flashes_.survey(input, [this](const Collision& collision) {
         const Vec at = contact_of(collision, context_.particles);
         const Box& box = context_.box();
-        return Point{box.wrapped(0, at[0]), box.wrapped(1, at[1])};
+        return Vec{box.wrapped(0, at[0]), box.wrapped(1, at[1]), box.wrapped(2, at[2])};
     });
 }
 
@@ -146,9 +146,22 @@ BoxMap GasPanel::map_in(const DrawContext& own) const {
     return surfaces_.map_in(own.area, own.unit, stands_alone());
 }
 
+BoxMap GasPanel::map_from(const DrawContext& own, const Viewpoint& from) const {
+    BoxMap map = map_in(own);
+    if (map.space) map.space = map.space->seen_from(from);
+    return map;
+}
+
 // The map of a view, which is drawn in the same rectangle as the whole box.
 BoxMap GasPanel::part_of(const BoxMap& whole, const CameraView& view) const {
     BoxMap part = whole;
+    if (whole.space) {
+        const Region& all = surfaces_.extent();
+        const double zoom = (all.high[0] - all.low[0]) / view.width;
+        part.space = whole.space->magnified(view.middle, zoom);
+        part.scale = zoom * whole.scale;
+        return part;
+    }
     part.scale = whole.frame.width / view.width;
     part.low = {view.middle[0] - 0.5 * view.width,
                 view.middle[1] - 0.5 * whole.frame.height / part.scale};
@@ -246,17 +259,22 @@ Table GasPanel::table(const PanelState& state, const Theme& theme) const {
 namespace {
 
 struct GasOptions {
-    std::optional<View> view = {};  // in a figure; none: as in the film
+    std::optional<View> view = {};             // in a figure; none: as in the film
+    std::optional<ViewpointChange> from = {};  // the same
 };
 
 std::vector<Binding<GasOptions>> gas_keys() {
     return {bind_key("view", &GasOptions::view, view_notation(),
                      "What the figure shows: the whole `box`, or a part of it.")
-                .default_text("as the film's camera shows it at that time")};
+                .default_text("as the film's camera shows it at that time"),
+            bind_key("viewpoint", &GasOptions::from, viewpoint_notation(),
+                     "In space, from where the figure shows the box.")
+                .default_text("as the film shows it at that time")};
 }
 
 std::unique_ptr<Panel> make_gas(const PanelContext& context, const PanelSpec& spec) {
-    return make_gas_panel(context, spec.options.as<GasOptions>().view);
+    const auto& options = spec.options.as<GasOptions>();
+    return make_gas_panel(context, {options.view, options.from});
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
-// The box and its disks with their trails, velocities and names: the main picture of a film in two
-// dimensions. Of a gas in space it shows the spheres as seen from the front, with x to the right
-// and y up: those further in front hide those behind them.
+// The box and its disks with their trails, velocities and names: the main picture of a film in the
+// plane; in space the box and its spheres in perspective.
 #pragma once
 
 #include <deque>
@@ -17,7 +16,7 @@ namespace carom {
 
 class GasPanel : public ParticlePanel {
   public:
-    explicit GasPanel(const PanelContext& context, const std::optional<View>& view = {});
+    explicit GasPanel(const PanelContext& context, const FixedView& fixed = {});
 
     void survey(const FrameInput& input) override;
     bool surveys_positions() const override {
@@ -78,6 +77,7 @@ class GasPanel : public ParticlePanel {
     void extend_trails(const FrameInput& input);
     bool stands_alone() const;
     BoxMap map_in(const DrawContext& own) const;
+    BoxMap map_from(const DrawContext& own, const Viewpoint& from) const;
     BoxMap part_of(const BoxMap& whole, const CameraView& view) const;
     std::string label(Eigen::Index particle, const State& state) const;
     bool is_disk(Eigen::Index particle, const State& state) const {

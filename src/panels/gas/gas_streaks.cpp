@@ -17,7 +17,8 @@ constexpr double least_seen = 0.5;  // pixels: shorter streaks lie under their d
 // be visible, also where the disk itself is beyond a side.
 template <class Draw>
 void GasPanel::Drawing::for_each_streak(Eigen::Index i, const Draw& draw) const {
-    const Point place = place_of(gas.place, i);
+    const Vec at_end = place_of(gas.place, i);
+    const Point place{at_end[0], at_end[1]};
     Vec low{place.x, place.y}, high = low;
     for (const StreakState::Corner& corner : gas.streaks->of(static_cast<std::size_t>(i))) {
         const Vec at{place.x + static_cast<double>(corner.x),
@@ -57,7 +58,10 @@ void GasPanel::Drawing::draw_streaks() const {
         const Color ink =
             gas.seen(panel.is_disk(i, gas) ? own : edge_of(own, dc.theme), i, dc.theme.ground);
         for_each_streak(i, [&](Point place) {
-            Taper taper{.from = {}, .to = pixel(place), .color_at_start = ink, .color_at_end = ink};
+            Taper taper{.from = {},
+                        .to = pixel(Vec{place.x, place.y}),
+                        .color_at_start = ink,
+                        .color_at_end = ink};
             taper.width_at_end = wide;
             taper.opacity_at_end = head_opacity;
             for (const StreakState::Corner& corner : corners) {

@@ -86,7 +86,8 @@ bool ParticlePanel::see(const FrameInput& input, const Eigen::ArrayXXd& places,
     state.callouts = callouts_.at(input.tick, input.is_still);
     std::erase_if(state.callouts,
                   [&](const Callouts::Present& its) { return !state.is_shown(its.particle); });
-    if (camera_.moves()) state.view = camera_.next();
+    state.viewpoint = camera_.next_viewpoint();
+    state.view = camera_.next();
     state.field = field_.see(input);
     return is_changed;
 }

@@ -36,6 +36,7 @@ struct ParticleState : PanelState {
     std::vector<Spotlights::Ring> rings;
     std::vector<Callouts::Present> callouts;
     std::optional<CameraView> view;           ///< none: the whole box
+    Viewpoint viewpoint;                      ///< of a box in space
     std::shared_ptr<const FieldState> field;  ///< null: none
 
     std::size_t bytes() const override {
@@ -70,8 +71,7 @@ class ParticlePanel : public Panel {
     virtual double scale_in(const DrawContext& own) const = 0;
 
   protected:
-    /// `view`: the part of the box that is shown, instead of what the film's camera shows.
-    explicit ParticlePanel(const PanelContext& context, const std::optional<View>& view = {})
+    explicit ParticlePanel(const PanelContext& context, const FixedView& fixed = {})
         : context_(context),
           colors_(context),
           arrows_(context),
@@ -79,7 +79,7 @@ class ParticlePanel : public Panel {
           flashes_(context),
           spotlights_(context),
           fading_(context),
-          camera_(context, view),
+          camera_(context, fixed),
           callouts_(context),
           field_(context) {}
 

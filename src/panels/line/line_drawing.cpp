@@ -333,7 +333,7 @@ void LinePanel::Drawing::draw_beads() const {
 
 void LinePanel::Drawing::draw_flashes() const {
     for (const Flash& flash : now.flashes)
-        for (const Point& at : seen_at(flash.place.x, flash_reach * u))
+        for (const Point& at : seen_at(flash.place[0], flash_reach * u))
             draw_flash(canvas, dc, at, flash.share);
 }
 

@@ -59,7 +59,7 @@ Rect LinePanel::Drawing::place_of_callout(const std::vector<Callouts::Step>& ste
     for (const Callouts::Step& step : steps) {
         const auto view = panel.camera_.at(static_cast<std::size_t>(step.frame));
         const View then = view ? panel.part_of(whole, *view, dc) : whole;
-        double x = then.x(step.x) - v.plot.x;
+        double x = then.x(step.at[0]) - v.plot.x;
         if (is_ring) {  // the image nearest to the middle
             const double period = then.plot.width * then.zoom;
             x -= period * std::round(x / period - 0.5 / then.zoom);

@@ -47,7 +47,7 @@ void LinePanel::survey_places(const FrameInput& input) {
         const bool is_right = toward != 0.0 || collision.second.is_surface()
                                   ? toward > 0.0
                                   : now < surveyed_places_[collision.second.particle()];
-        return Point{now + (is_right ? map_->radius(i) : -map_->radius(i)), 0.0};
+        return Vec{now + (is_right ? map_->radius(i) : -map_->radius(i)), 0.0};
     });
     surveyed_places_ = map_->places(input.sample, surveyed_places_);
     callouts_.survey(input, surveyed_places_);

@@ -15,7 +15,7 @@ namespace carom {
 class LinePanel : public ParticlePanel {
   public:
     explicit LinePanel(const PanelContext& context, const std::optional<View>& view = {})
-        : ParticlePanel(context, view), ends_(context) {}
+        : ParticlePanel(context, {view, {}}), ends_(context) {}
 
     void survey(const FrameInput& input) override;
     void fix_axes() override;

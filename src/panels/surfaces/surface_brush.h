@@ -1,6 +1,6 @@
 // A frame of the surfaces of a box while it is drawn: what the implementation files share.
-// surface_drawing.cpp draws sides, partitions and obstacles in the plane of the picture,
-// surface_labels.cpp the words about them, surfaces_in_space.cpp what stands behind one another.
+// surface_drawing.cpp draws sides, partitions and obstacles of a plane, surfaces_in_space.cpp those
+// of a box in space, surface_labels.cpp the words about them.
 #pragma once
 
 #include <string>
@@ -15,6 +15,8 @@ namespace carom {
 
 // A frame being drawn.
 struct SurfaceView::Brush {
+    static constexpr double hatch_apart = 0.55;  // units
+
     const SurfaceView& view;
     Canvas& canvas;
     const DrawContext& dc;
@@ -49,18 +51,18 @@ struct SurfaceView::Brush {
     // In the direction in which it grows along an axis, on the picture.
     Point upwards(int axis) const { return axis == 0 ? Point{1.0, 0.0} : Point{0.0, -1.0}; }
 
-    // A part of a partition that is seen as a line: without gaps, or with what a gap leaves.
-    struct Stretch {
-        double from, to;
-        bool is_whole = true;
-    };
-
     Color fill_of_obstacle() const { return mix(theme.ground, theme.wall, 0.3); }
-    std::vector<Stretch> stretches(const Partition& partition, double begin, double end) const;
-    Rect frame_at(double depth) const;
-    void draw_frame(std::size_t k) const;
-    void draw_corners(const Rect& frame) const;
-    void draw_in_depth(std::size_t k) const;
+    double length_of_unit() const { return u / map.scale; }
+    Color fill_of_sheet(std::size_t k, double opacity) const;
+    void draw_edges(bool in_front) const;
+    void draw_walls(bool in_front) const;
+    void draw_sheet(std::size_t k, std::size_t axis, double at, const Region& part,
+                    double opacity) const;
+    void draw_border(std::size_t k, const Vec& corner, const Vec& along, const Vec& inward) const;
+    void draw_block_in_space(const Obstacle::Cuboid& block) const;
+    void draw_ball_in_space(const Obstacle::Ball& ball) const;
+    void draw_arrow_in_space(std::size_t k) const;
+    void draw_names_of_axes() const;
     Rect outside(std::size_t side, double offset, double depth) const;
     void draw_outline() const;
     void draw_obstacle(const Obstacle& obstacle, Point shift) const;
@@ -76,7 +78,7 @@ struct SurfaceView::Brush {
     void draw_ends(std::size_t k) const;
     bool has_block(std::size_t k) const;
     void draw_block(const Rect& block, std::size_t k) const;
-    std::string words_in_depth(std::size_t k) const;
+    std::string words_in_space(std::size_t k) const;
     double row_over_side(double from, double to) const;
     Color label_color(std::size_t k) const;
     void draw_labels() const;

@@ -10,39 +10,37 @@
 #include "util/overloaded.h"
 
 namespace carom {
-namespace {
-
-constexpr double hatch_apart = 0.55;  // units
-
-}  // namespace
-
 void SurfaceView::draw_room(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                             const std::vector<SurfaceState>& states) const {
     const Brush brush{*this, canvas, dc, map, states};
     canvas.fill(brush.room, dc.theme.ground);
-    if (!is_deep()) brush.draw_obstacles();
+    brush.draw_obstacles();
     brush.draw_outline();
     brush.draw_gravity();
 }
 
 void SurfaceView::draw_obstacles(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                                  const std::vector<SurfaceState>& states) const {
-    if (!plain_ && !is_deep()) Brush{*this, canvas, dc, map, states}.draw_obstacles();
+    if (!plain_) Brush{*this, canvas, dc, map, states}.draw_obstacles();
 }
 
 void SurfaceView::draw_partitions(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                                   const std::vector<SurfaceState>& states) const {
     const Brush brush{*this, canvas, dc, map, states};
     for (std::size_t k = gas_.box.surfaces.numbered_sides().size(); k < states.size(); ++k)
-        if (gas_.box.surfaces.axis_of(k) < 2) brush.draw_partition(k);
+        brush.draw_partition(k);
 }
 
 void SurfaceView::draw_around(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                               const std::vector<SurfaceState>& states) const {
     const Brush brush{*this, canvas, dc, map, states};
-    for (std::size_t k = 0; k < states.size(); ++k)
-        if (gas_.box.surfaces.axis_of(k) < 2)
-            gas_.box.surfaces.is_side(k) ? brush.draw_side(k) : brush.draw_ends(k);
+    if (is_deep()) {
+        for (std::size_t k = 0; k < states.size(); ++k) brush.draw_arrow_in_space(k);
+        brush.draw_names_of_axes();
+        brush.draw_gravity();
+    }
+    for (std::size_t k = 0; k < states.size() && !is_deep(); ++k)
+        gas_.box.surfaces.is_side(k) ? brush.draw_side(k) : brush.draw_ends(k);
     if (!states.empty()) brush.draw_labels();
 }
 
@@ -108,13 +106,7 @@ void SurfaceView::Brush::draw_obstacle(const Obstacle& obstacle, Point shift) co
                        for (const Vec& corner : lines.corners) add(corner[0], corner[1]);
                        draw_lines(lines.is_closed);
                    },
-                   [&](const Obstacle::Cuboid& block) {
-                       add(block.low[0], block.low[1]);
-                       add(block.high[0], block.low[1]);
-                       add(block.high[0], block.high[1]);
-                       add(block.low[0], block.high[1]);
-                       draw_lines(true);
-                   }},
+                   [](const Obstacle::Cuboid&) {}},
         obstacle.shape);
 }
 
@@ -198,8 +190,7 @@ void SurfaceView::Brush::draw_line(Point from, Point to, std::size_t k) const {
                behaviour(k));
 }
 
-// An open partition is drawn by its ends at the walls only. Where a gap in space leaves a part of
-// what stands behind one another, the line is thin.
+// An open partition is drawn by its ends at the walls only.
 void SurfaceView::Brush::draw_partition(std::size_t k) const {
     const Partition& partition = *box.surfaces.partition(k);
     const double at = place_of_surface(box, states, k);
@@ -216,12 +207,15 @@ void SurfaceView::Brush::draw_partition(std::size_t k) const {
         canvas.stroke_line(pixel(end - end_length), pixel(end), SurfaceSize::line * u, theme.wall);
         return;
     }
-    for (const Stretch& part : stretches(partition, begin, end))
-        if (part.is_whole)
-            draw_line(pixel(part.from), pixel(part.to), k);
-        else
-            canvas.stroke_line(pixel(part.from), pixel(part.to), SurfaceSize::line * u,
-                               theme.muted);
+    double from = begin;
+    const auto draw_to = [&](double to) {
+        if (to > from) draw_line(pixel(from), pixel(to), k);
+    };
+    for (const Gap& gap : partition.gaps) {
+        draw_to(std::clamp(gap.from(), begin, std::max(begin, end)));
+        from = std::clamp(gap.to(), begin, std::max(begin, end));
+    }
+    draw_to(end);
 }
 
 void SurfaceView::Brush::draw_block(const Rect& block, std::size_t k) const {
@@ -282,11 +276,14 @@ void SurfaceView::Brush::draw_gravity() const {
     if (!(size > 0.0)) return;
     const double reach = 2.0 * u;
     const Point middle{view.whole(map, u).x + 1.1 * u, map.frame.y + 2.0 * u};
-    const Point step{reach * g[0] / size, -reach * g[1] / size};
+    const Point seen = map.space
+                           ? map.space->velocity(0.5 * (view.extent_.low + view.extent_.high), g)
+                           : Point{g[0], -g[1]};
+    const Point step{reach * seen.x / size, reach * seen.y / size};
     if (std::hypot(step.x, step.y) > 0.5 * reach)
         draw_surface_arrow(canvas, dc, {middle.x - step.x / 2, middle.y - step.y / 2}, step);
     else
-        draw_arrow_end_on(canvas, dc, middle, g[2] > 0.0);
+        draw_arrow_end_on(canvas, dc, middle, dot(map.space->eye() - 0.5 * box.size, g) > 0.0);
     TextStyle style = label_style(dc);
     style.color = theme.ink;
     style.align = Align::center;

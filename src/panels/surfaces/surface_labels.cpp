@@ -68,32 +68,37 @@ Color SurfaceView::Brush::label_color(std::size_t k) const {
     return bath != nullptr ? legible(bath_color(*bath), theme) : theme.ink;
 }
 
-// Of a frame, which has no place of its own in the picture: "back: T = 2", "lid: z = 3".
-std::string SurfaceView::Brush::words_in_depth(std::size_t k) const {
+// Of a sheet in space: "back: T = 2", "lid: z = 3".
+std::string SurfaceView::Brush::words_in_space(std::size_t k) const {
     const Language language = view.language_;
     if (states[k].is_open || only_reflects(behaviour(k))) return "";
-    std::string what = label_of_surface(language, view.gas_, behaviour(k), 2);
+    const int axis = box.surfaces.axis_of(k);
+    std::string what = label_of_surface(language, view.gas_, behaviour(k), axis);
     if (moves(behaviour(k))) {
-        const std::string place = "z = " + three_digits(language, place_of_surface(box, states, k));
+        const std::string place = std::string(name_of_axis(axis)) + " = " +
+                                  three_digits(language, place_of_surface(box, states, k));
         what = what.empty() ? place : say(language, "{}, {}", what, place);
     }
-    if (what.empty()) what = words_of(language, behaviour(k), view.gas_, 2);
+    if (what.empty()) what = words_of(language, behaviour(k), view.gas_, axis);
     return say(language, "{}: {}", short_name_of_surface(language, box, k), what);
 }
 
-// Labels of vertical partitions and of frames are in a row above the box, clear of each other, and
-// those of sides on their ends; labels of horizontal partitions are on them.
+// Labels of vertical partitions, and of all sheets in space, are in a row above the box, clear of
+// each other, and those of sides on their ends; labels of horizontal partitions are on them.
 void SurfaceView::Brush::draw_labels() const {
     TextStyle style = label_style(dc);
     style.color = theme.ink;
     std::vector<SurfaceLabel> labels;
     for (std::size_t k = 0; k < states.size(); ++k) {
         const int axis = box.surfaces.axis_of(k);
-        if (axis == 2) {
-            const std::string words = words_in_depth(k);
+        if (map.space) {
+            const Region inside = view.room(states);
+            Vec middle = 0.5 * (inside.low + inside.high);
+            middle[axis] = place_of_surface(box, states, k);
+            const std::string words = words_in_space(k);
             if (!words.empty())
                 labels.push_back(
-                    {room.x + room.width / 2, escape_markup(words), false, label_color(k)});
+                    {map.space->at(middle).x, escape_markup(words), false, label_color(k)});
             continue;
         }
         const std::string words = label_of_surface(view.language_, view.gas_, behaviour(k), axis);

@@ -9,10 +9,13 @@
 #include "panels/surfaces/surface_words.h"
 #include "physics/gas.h"
 #include "physics/surfaces/behaviours.h"
+#include "scene/film.h"
 #include "util/overloaded.h"
 
 namespace carom {
 namespace {
+
+constexpr double rim_in_space = 0.3;  // units, around the picture: for the lines at its edges
 
 // How far the drawing of a side extends outward, in units.
 double depth_of(const Gas& gas, const Behaviour& behaviour, std::size_t side) {
@@ -43,6 +46,12 @@ bool has_ends(const Behaviour& behaviour) {
         behaviour);
 }
 
+bool names_axis(const std::vector<PanelSpec>& panels) {
+    return std::ranges::any_of(panels, [](const PanelSpec& panel) {
+        return panel.component && *panel.component != Component::both;
+    });
+}
+
 }  // namespace
 
 double thickness_of_side(const Behaviour& behaviour) {
@@ -61,13 +70,15 @@ Rect BoxMap::rect(const Region& region) const {
             (region.high[1] - region.low[1]) * scale};
 }
 
-SurfaceView::SurfaceView(const PanelContext& context)
+SurfaceView::SurfaceView(const PanelContext& context, std::vector<Viewpoint> viewpoints)
     : gas_(context.gas_in_scene()),
       language_(context.language()),
       plain_(context.box().surfaces.are_plain() && !change_behaviours(context.run().events)),
       behaviours_(behaviours_in_time(context.box().surfaces, context.run())),
-      extent_{Vec(), context.box().size} {
-    for (std::size_t side = 0; side < 4; ++side) still_ = still_ && !may_move(side);
+      extent_{Vec(), context.box().size},
+      viewpoints_(std::move(viewpoints)) {
+    for (std::size_t side = 0; side < gas_.box.surfaces.numbered_sides().size(); ++side)
+        still_ = still_ && !may_move(side);
     constexpr double infinite = std::numeric_limits<double>::infinity();
     temperatures_ = {infinite, -infinite};
     for (const auto& list : behaviours_)
@@ -75,7 +86,9 @@ SurfaceView::SurfaceView(const PanelContext& context)
             if (const auto* bath = bath_of(behaviour))
                 temperatures_ = {std::min(temperatures_[0], bath->temperature),
                                  std::max(temperatures_[1], bath->temperature)};
-    if (!plain_) margins_ = margins_of();
+    names_axes_ = is_deep() && (!plain_ || names_axis(context.film().panels));
+    if (!plain_ || names_axes_) margins_ = is_deep() ? margins_in_space() : margins_of();
+    if (is_deep()) return;
     for (const int axis : {0, 1}) {
         if (!context.box().is_periodic(axis)) continue;
         for (double* margin : axis == 0 ? std::array{&margins_.left, &margins_.right}
@@ -107,10 +120,9 @@ SurfaceView::Margins SurfaceView::margins_of() const {
     for (std::size_t k = 0; k < behaviours_.size(); ++k) {
         const int axis = gas.box.surfaces.axis_of(k);
         for (const Behaviour& behaviour : behaviours_[k]) {
-            if ((axis == 0 && !label_of_surface(Language::english, gas, behaviour, axis).empty()) ||
-                (axis == 2 && !only_reflects(behaviour)))
+            if (axis == 0 && !label_of_surface(Language::english, gas, behaviour, axis).empty())
                 names = SurfaceSize::label;
-            if (gas.box.surfaces.is_side(k) || axis == 2 || !has_ends(behaviour)) continue;
+            if (gas.box.surfaces.is_side(k) || !has_ends(behaviour)) continue;
             const auto first = static_cast<std::size_t>(axis == 0 ? 2 : 0);
             for (const std::size_t end : {first, first + 1}) blocks[end] = SurfaceSize::block;
         }
@@ -137,18 +149,29 @@ std::vector<SurfaceState> SurfaceView::states(const FrameInput& input) const {
 Region SurfaceView::room(const std::vector<SurfaceState>& states) const {
     const Box& box = gas_.box;
     const auto place = [&](std::size_t k) { return place_of_surface(box, states, k); };
+    if (is_deep()) return {{place(0), place(2), place(4)}, {place(1), place(3), place(5)}};
     return {{place(0), place(2)}, {place(1), place(3)}};
 }
 
 BoxMap SurfaceView::map_in(const Rect& area, double unit, bool centered) const {
-    const Vec size = extent_.high - extent_.low;
+    const double rim = is_deep() ? rim_in_space * unit : 0.0;
+    const Rect seen = is_deep() ? rect_around(extent_, viewpoints_) : Rect{};
+    const Vec size = is_deep() ? Vec{seen.width, seen.height} : extent_.high - extent_.low;
     const double left = margins_.left * unit, top = margins_.top * unit;
-    const double around = left + margins_.right * unit, above = top + margins_.bottom * unit;
+    const double around = left + margins_.right * unit + 2.0 * rim,
+                 above = top + margins_.bottom * unit + 2.0 * rim;
     const double scale = std::min((area.width - around) / size[0], (area.height - above) / size[1]);
     const double width = size[0] * scale, height = size[1] * scale;
     const double across = centered ? (area.width - around - width) / 2 : 0.0;
     const double down = centered ? (area.height - above - height) / 2 : 0.0;
-    return {{area.x + across + left, area.y + down + top, width, height}, extent_.low, scale};
+    BoxMap map{{area.x + across + left, area.y + down + top, width + 2.0 * rim, height + 2.0 * rim},
+               extent_.low,
+               scale};
+    if (is_deep())
+        map.space.emplace(
+            viewpoints_.front(), extent_,
+            Point{map.frame.x + rim - scale * seen.x, map.frame.y + rim - scale * seen.y}, scale);
+    return map;
 }
 
 Rect SurfaceView::whole(const BoxMap& map, double unit) const {

@@ -2,22 +2,25 @@
 // and gravity, and the room that they need around the box. If sides move, the picture is laid out
 // for the largest extent of the box. A surface with an imposed motion is hatched, a freely moving
 // one is a plain bar, a heat bath has a wavy line, a membrane is dashed, a demon is dotted. A box
-// in space is seen from the front: what is perpendicular to z is a frame, the smaller the further
-// back it is. Draws no particles.
+// in space is drawn in perspective: walls that act and partitions are translucent sheets, with the
+// same lines along their edges. Draws no particles.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "panels/panel.h"
+#include "panels/surfaces/perspective.h"
 
 namespace carom {
 
 /// Maps positions of the scene (y up) to pixels (y down).
 struct BoxMap {
-    Rect frame;  ///< of the box at its largest extent
+    Rect frame;  ///< of the box at its largest extent; in space from all viewpoints of the film
     Vec low = {};
-    double scale = 1.0;  ///< pixels per unit length
+    double scale = 1.0;                     ///< pixels per unit length; in space at its middle
+    std::optional<Perspective> space = {};  ///< of a box in space, which has no pixel() and rect()
 
     Point pixel(const Point& place) const {
         return {frame.x + (place.x - low[0]) * scale, frame.bottom() - (place.y - low[1]) * scale};
@@ -31,7 +34,8 @@ double thickness_of_side(const Behaviour& behaviour);
 
 class SurfaceView {
   public:
-    explicit SurfaceView(const PanelContext& context);
+    /// `viewpoints`: those from which a box in space is seen, as Camera::viewpoints() has them.
+    explicit SurfaceView(const PanelContext& context, std::vector<Viewpoint> viewpoints = {{}});
 
     /// Whether there is nothing to draw but plain walls.
     bool is_plain() const { return plain_; }
@@ -59,24 +63,39 @@ class SurfaceView {
     Region room(const std::vector<SurfaceState>& states) const;
 
     /// draw_room() fills the interior and draws the outline of the box and what is in it; not for a
-    /// plain box. In space it draws nothing that stands in depth, and draw_partitions() those that
-    /// are seen as lines.
+    /// plain box, nor in space.
     void draw_room(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                    const std::vector<SurfaceState>& states) const;
     void draw_obstacles(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                         const std::vector<SurfaceState>& states) const;
     void draw_partitions(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
                          const std::vector<SurfaceState>& states) const;
-    /// In space: what stands at a depth, by its number among the surfaces and its place along z:
-    /// partitions across z, back and front walls that act, and obstacles. From back to front; of a
-    /// particle and any of these, the one further in front hides the other.
-    struct InDepth {
-        double depth;
+    /// In space: the edges of the box and the walls that act, as far as they are behind the gas,
+    /// and those in front of it.
+    void draw_behind(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
+                     const std::vector<SurfaceState>& states) const;
+    void draw_in_front(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
+                       const std::vector<SurfaceState>& states) const;
+
+    /// In space: what stands among the particles.
+    struct Sheet {  ///< a partition
         std::size_t surface;
+        std::size_t axis;
+        double at;
     };
-    std::vector<InDepth> in_depth(const std::vector<SurfaceState>& states) const;
-    void draw_in_depth(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
-                       const std::vector<SurfaceState>& states, std::size_t surface) const;
+    struct Body {
+        std::size_t surface;
+        const Obstacle* obstacle;
+    };
+    std::vector<Sheet> sheets(const std::vector<SurfaceState>& states) const;
+    std::vector<Body> bodies() const;
+
+    /// draw_sheet() draws the piece of a partition that lies in a part of the box.
+    void draw_sheet(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
+                    const std::vector<SurfaceState>& states, const Sheet& sheet,
+                    const Region& part) const;
+    void draw_body(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
+                   const Body& body) const;
 
     /// Draws what is outside of the interior, and the labels of surfaces.
     void draw_around(Canvas& canvas, const DrawContext& dc, const BoxMap& map,
@@ -91,6 +110,7 @@ class SurfaceView {
         double left = 0.0, right = 0.0, bottom = 0.0, top = 0.0;
     };
     Margins margins_of() const;
+    Margins margins_in_space() const;
     bool is_deep() const;
     bool may_move(std::size_t k) const;
     double thickness_of(std::size_t side) const;
@@ -98,10 +118,12 @@ class SurfaceView {
     const Gas& gas_;  ///< of the scene
     Language language_;
     bool plain_, still_ = true;
+    bool names_axes_ = false;  ///< in space, where a panel or a surface refers to them
     std::vector<std::vector<Behaviour>> behaviours_;  ///< of each side and partition, at all times
     std::array<double, 2> temperatures_{};            ///< lowest and highest of baths
     Margins margins_{};
     Region extent_{};  ///< of the box at its largest extent
+    std::vector<Viewpoint> viewpoints_;
 };
 
 }  // namespace carom

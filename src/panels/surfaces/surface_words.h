@@ -16,7 +16,7 @@ struct Gas;
 /// The present position along its normal of surface number k, a side or a partition.
 double place_of_surface(const Box& box, std::span<const SurfaceState> states, std::size_t k);
 
-/// A side in space that is seen from the front, or a partition, in a word or two: "back", "lid".
+/// A side, or a partition, in a word or two: "back", "lid".
 std::string short_name_of_surface(Language language, const Box& box, std::size_t k);
 
 /// The label of a surface in a picture: "T = 2", "M = 50, F = −5", "passes small"; empty for a

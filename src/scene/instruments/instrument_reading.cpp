@@ -10,7 +10,7 @@
 #include "physics/surfaces/behaviours.h"
 #include "scene/keys/binding.h"
 #include "scene/limits.h"
-#include "scene/reading/overlay_reading.h"
+#include "scene/reading/camera/camera_reading.h"
 #include "scene/yaml/scalar.h"
 #include "util/text.h"
 

@@ -81,6 +81,7 @@ std::string instead(const Key& key, const std::string& other, const Values& valu
 
 // What a key needs that the scene does not have, by its name.
 const Values needed{{"surfaces", "With a partition of this name"},
+                    {"viewpoint", "In a box with three lengths"},
                     {"beside", "Without the panel `energy-by-species`"}};
 
 std::string lines_of(const Key& key, const Section& section, const Values& values,

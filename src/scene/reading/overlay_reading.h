@@ -17,13 +17,6 @@ namespace carom {
 /// The span of time in which a panel is shown.
 Notation<TimeSpan> show_notation();
 
-/// A part of the box, as the value of a key: its corners (corners_of(), keys/notation.h). `instead`
-/// names, for messages, what else the key may take.
-Notation<Region> region_notation(const std::string& key, const std::string& instead = "");
-
-/// The view of the box: all of it or a part.
-Notation<View> view_notation();
-
 /// A callout as read from the file. The panel that it points to is resolved later, by
 /// resolve_callouts().
 struct CalloutDraft : Callout {

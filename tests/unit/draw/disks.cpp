@@ -252,7 +252,7 @@ TEST_CASE("a lit sphere does not depend on those that were drawn before it") {
     Canvas once({200, 200}), again({200, 200});
     DiskPainter fresh, used;
     used.draw_lit(again, many, everywhere);
-    again.fill_all(rgb(0x000000));
+    for (Canvas* canvas : {&once, &again}) canvas->fill_all(rgb(0x000000));
     used.draw_lit(again, many, {20, 20, 150, 150});
     fresh.draw_lit(once, many, {20, 20, 150, 150});
     CHECK(pixels_of(once) == pixels_of(again));

@@ -95,7 +95,7 @@ std::vector<std::vector<Flash>> all_flashes(const Scene& scene, std::vector<std:
         const Eigen::ArrayXd unused;
         flashes.survey({tick, sample, unused, unused, advanced}, [](const Collision& collision) {
             const Vec middle = 0.5 * (collision.first_position + collision.second_position);
-            return Point{middle[0], middle[1]};
+            return middle;
         });
     }
     flashes.fix_scale();
@@ -125,7 +125,7 @@ TEST_CASE("never more than three flashes are seen in any second of film") {
                     std::set<std::pair<double, double>> places;
                     for (std::size_t i = from; i < from + second; ++i)
                         for (const Flash& flash : frames[i])
-                            places.insert({flash.place.x, flash.place.y});
+                            places.insert({flash.place[0], flash.place[1]});
                     CHECK(places.size() <= 3);
                     seen = std::max(seen, places.size());
                 }
@@ -280,9 +280,9 @@ TEST_CASE("the way back flashes at the contacts of the way out") {
         std::vector<Point>& leg = ticks[i].time <= 4.0 ? out : back;
         for (const Flash& flash : frames[i]) {
             const auto is_it = [&](const Point& p) {
-                return std::hypot(p.x - flash.place.x, p.y - flash.place.y) < 1e-6;
+                return std::hypot(p.x - flash.place[0], p.y - flash.place[1]) < 1e-6;
             };
-            if (std::ranges::none_of(leg, is_it)) leg.push_back(flash.place);
+            if (std::ranges::none_of(leg, is_it)) leg.push_back({flash.place[0], flash.place[1]});
         }
     }
     std::ranges::reverse(back);

@@ -20,109 +20,17 @@
 using namespace carom;
 using test::Shot;
 
-namespace {
-
-// A cube of side 20 with spheres that rest, all of them of a species and a colour of their own.
-Scene resting(const std::vector<Vec>& places, const std::string& more = "",
-              const std::string& film = "") {
-    std::string gas;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const Vec& at = places[i];
-        gas += (i > 0 ? ", " : "") + std::string("{name: s") + std::to_string(i) +
-               ", count: 1, radius: 2, position: [" + std::to_string(at[0]) + ", " +
-               std::to_string(at[1]) + ", " + std::to_string(at[2]) + "]}";
-    }
-    return test::scene_from("title: T\nbox: {size: [20, 20, 20]}\n" + more + "gas: [" + gas +
-                            "]\nrun: {until: 1}\nfilm: {seconds: 1, fps: 2, size: [640, 640], "
-                            "panels: [], color_by: species" +
-                            film + "}\n");
-}
-
-// The colour of the picture of the first frame at a place of the box.
-struct Seen {
-    explicit Seen(const Scene& scene) : shot(scene), painter(*shot.panels) {}
-
-    Color species(std::size_t k) const {
-        return kind_in(shot.scene.film, k, theme_of(shot.scene.film));
-    }
-    std::uint32_t at(double x, double y) {
-        const Grid grid(shot.scene.film);
-        const SurfaceView view(PanelContext{shot.scene, shot.starts.front().particles, 2, none});
-        const BoxMap map = view.map_in(grid.place(shot.scene.film.layout.gas), grid.unit(), true);
-        const Point pixel = map.pixel({x, y});
-        const PixelView pixels = painter.paint(shot.frames.at(0)).pixels();
-        return pixels.data[static_cast<int>(pixel.y) * pixels.stride + static_cast<int>(pixel.x)];
-    }
-    bool shows(double x, double y, std::size_t its_species) {
-        return at(x, y) == to_pixel(species(its_species));
-    }
-
-    BoxedGas none;
-    Shot shot;
-    FramePainter painter;
-};
-
-}  // namespace
-
-TEST_CASE("a sphere further in front hides one behind it, whatever their numbers are") {
-    // In the picture their middles are 2 apart, so that each has the middle between them.
-    Seen first(resting({{9, 10, 15}, {11, 10, 5}})), second(resting({{9, 10, 5}, {11, 10, 15}}));
-    CHECK(first.shows(10, 10, 0));
-    CHECK(second.shows(10, 10, 1));
-    for (Seen* seen : {&first, &second}) {
-        CHECK(seen->shows(8, 10, 0));
-        CHECK(seen->shows(12, 10, 1));
-    }
-}
-
-TEST_CASE("spheres and obstacles hide each other in the order of their depths") {
-    const std::string ball = "obstacles: [{name: a, sphere: [10, 10, 10], radius: 3}]\n",
-                      block = "obstacles: [{name: a, cuboid: [8, 8, 8, 12, 12, 12]}]\n";
-    for (const std::string& obstacle : {ball, block}) {
-        CAPTURE(obstacle);
-        CHECK(Seen(resting({{10, 10, 16}}, obstacle)).shows(10.3, 10.7, 0));
-        CHECK_FALSE(Seen(resting({{10, 10, 4}}, obstacle)).shows(10.3, 10.7, 0));
-    }
-    // One beside a block hides nothing of it and is hidden by nothing.
-    CHECK(Seen(resting({{14.5, 10, 9}}, block)).shows(14.5, 10, 0));
-}
-
-TEST_CASE("what stands in depth comes from the back to the front") {
+TEST_CASE("surfaces of a box in space are described by their places") {
     const Scene scene = test::scene_from(
         "title: T\nbox: {size: [20, 20, 20], walls: {back: {temperature: 1}, front: {mass: 5}}}\n"
-        "partitions: [{name: upright, x: 4}, {name: far, z: 15}, {name: near, z: 3}]\n"
-        "obstacles: [{name: ball, sphere: [10, 10, 10], radius: 1}]\n"
+        "partitions: [{name: far, z: 15}]\n"
         "gas: [{name: a, count: 1, radius: 0.5, position: [2, 2, 2]}]\nrun: {until: 1}\n");
     Simulation simulation(scene.gas, scene.run);
-    const BoxedGas none;
-    const SurfaceView view(PanelContext{scene, simulation.particles(), 30, none});
-    std::vector<std::string> names;
-    double before = -1.0;
-    for (const auto& [depth, surface] : view.in_depth(simulation.surfaces())) {
-        names.push_back(scene.gas.box.surfaces.names()[surface]);
-        CHECK(depth > before);
-        before = depth;
-    }
-    CHECK(names == std::vector<std::string>{"back", "near", "ball", "far", "front"});
     const std::string words = words_at_present(Language::english, scene.gas, simulation.surfaces());
     for (const char* part : {"The back wall is a heat bath of temperature 1",
                              "The partition “far” stands still, at z = 15",
                              "The front wall is a piston of mass 5, at z = 20"})
         CHECK_MESSAGE(words.find(part) != std::string::npos, words);
-}
-
-TEST_CASE("a partition across z is a frame, which spheres behind it do not hide") {
-    // The frame at z = 10 of 20 lies 0.9 units inside the box; the sphere touches the left wall.
-    const std::string sheet = "partitions: [{name: a, z: 10}]\n";
-    const auto has_wall = [](Seen&& seen) {
-        const std::uint32_t wall = to_pixel(theme_of(seen.shot.scene.film).wall);
-        for (double x = 0.05; x < 3.0; x += 0.01)
-            if (seen.at(x, 10) == wall) return true;
-        return false;
-    };
-    CHECK(has_wall(Seen(resting({{2.05, 10, 5}}, sheet))));
-    CHECK_FALSE(has_wall(Seen(resting({{2.05, 10, 5}}))));
-    CHECK_FALSE(has_wall(Seen(resting({{2.05, 10, 15}}, sheet))));
 }
 
 TEST_CASE("a surface in space has an area, without its gaps and between its neighbours") {
@@ -146,7 +54,7 @@ TEST_CASE("a surface in space has an area, without its gaps and between its neig
     CHECK(enclosed_content(box, run.surfaces()) == 1400.0);
 }
 
-TEST_CASE("a field in space is the mean along the line of sight") {
+TEST_CASE("a field in space is the mean along z") {
     const Scene scene = test::scene_from(
         "title: T\nbox: {size: [8, 4, 2]}\ngas: [{name: a, count: 4, radius: 0.4, position: "
         "[[1, 1, 0.5], [1, 1, 1.5], [3, 1, 1], [7, 3, 1]]}]\nrun: {until: 1}\n"

@@ -268,7 +268,7 @@ TEST_CASE("views and parts of the picture have six ends") {
             "5]}, camera: [{at: 2, view: [1, 2, 3, 11, 12, 13]}]}")
             .film;
     CHECK(ends_of(film.fade_out.value().within) == std::array{0.0, 0.0, 0.0, 5.0, 5.0, 5.0});
-    CHECK(ends_of(std::get<Region>(film.camera.at(0).view)) ==
+    CHECK(ends_of(std::get<Region>(film.camera.at(0).view.value())) ==
           std::array{1.0, 2.0, 3.0, 11.0, 12.0, 13.0});
 }
 

@@ -21,8 +21,7 @@ void Callouts::survey(const FrameInput& input, const Eigen::ArrayXXd& places) {
     for (std::size_t k = 0; k < callouts_.size(); ++k) {
         const Eigen::Index particle = callouts_[k].particle;
         if (share_of(context_, times_[k], input.tick, input.is_still) <= 0.0) continue;
-        ways_[k].push_back(
-            {surveyed_, places(particle, 0), places.cols() > 1 ? places(particle, 1) : 0.0});
+        ways_[k].push_back({surveyed_, vec_in(places, particle)});
     }
     ++surveyed_;
 }

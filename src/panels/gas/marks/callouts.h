@@ -24,8 +24,8 @@ class Callouts {
     /// The position of a particle in a frame; frames are counted from 0, the first one surveyed.
     struct Step {
         std::int64_t frame = 0;
-        double x = 0.0, y = 0.0;
-        void archive(auto& archive) { archive(frame, x, y); }
+        Vec at;
+        void archive(auto& archive) { archive(frame, at); }
     };
 
     /// A callout that is shown at a moment.

@@ -55,7 +55,7 @@ bool Flashes::is_seen_again(const Choice& choice, const Start& start, double nea
     });
 }
 
-void Flashes::survey(const FrameInput& input, const std::function<Point(const Collision&)>& place) {
+void Flashes::survey(const FrameInput& input, const std::function<Vec(const Collision&)>& place) {
     if (!asked_) return;
     const Tick& tick = input.tick;
     const double step = tick.time - last_time_;

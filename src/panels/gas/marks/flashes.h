@@ -15,7 +15,7 @@ namespace carom {
 
 /// One flash in one frame.
 struct Flash {
-    Point place;         ///< of the contact
+    Vec place;           ///< of the contact
     double share = 0.0;  ///< share of its duration that has passed, from 0 to 1
 };
 
@@ -27,7 +27,7 @@ class Flashes {
     bool asked() const { return asked_; }
 
     /// First pass, every frame in order; then fix_scale(). `place` says where a contact is drawn.
-    void survey(const FrameInput& input, const std::function<Point(const Collision&)>& place);
+    void survey(const FrameInput& input, const std::function<Vec(const Collision&)>& place);
     void fix_scale();
 
     void archive(auto& archive) { archive(dense_, contacts_); }
@@ -43,7 +43,7 @@ class Flashes {
         double seconds;  ///< of film
         double folded;   ///< simulated time, counted backwards after a reversal
         std::pair<std::int32_t, std::int32_t> pair;
-        Point place;
+        Vec place;
         void archive(auto& archive) { archive(seconds, folded, pair, place); }
     };
 

@@ -132,6 +132,21 @@ TEST_CASE("fast and dense gases are refused as flashing, slow or dilute ones are
     CHECK(is_accessible(scene(gas("300", "10"), "seconds: 10")));
 }
 
+// Spheres: fast ones before the ground flash; where they fill the view, hardly a place of the
+// ground is seen, and slow ones pass less often. 4800 of radius 0.5 cover 4.7 of a box of 40 by 20,
+// 480 of them 0.47: a place is bright some 0.29 times while they fly one unit of length.
+TEST_CASE("fast spheres are refused as flashing where the ground is seen between them") {
+    const auto gas = [](const char* count, const char* speed) {
+        return std::string(
+                   "title: T\ndescription: D\nbox: {size: [40, 20, 40]}\ngas:\n  - {count: ") +
+               count + ", radius: 0.5, speed: " + speed +
+               "}\nrun: {until: 10}\nfilm: {seconds: 10, size: [1280, 720]}\n";
+    };
+    CHECK(refuses("2.3.1", gas("480", "20")));
+    CHECK(is_accessible(gas("480", "5")));
+    CHECK(is_accessible(gas("4800", "20")));
+}
+
 TEST_CASE("barriers stand in the JSON document, each with its hint") {
     const Outcome outcome =
         checked(scene("  - {count: 9}\n", "seconds: 10, size: [640, 360]"), {"--json"});

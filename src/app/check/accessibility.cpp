@@ -172,8 +172,10 @@ double fastest_pace(const Scene& scene) {
 }
 
 // A disk that passes makes a place bright and dark. If disks cover more than a quarter of a region
-// of the view, this may count as flashing. Spheres are seen as disks, the part of whose speed in
-// the picture is taken to be the whole; those behind others are counted, too.
+// of the view, this may count as flashing. Spheres are seen as disks, which a picture shows with
+// pi/4 of their speed on average, and which lie before each other: only what comes over the ground
+// makes a place bright, and of places that spheres cover c times on average, independently of each
+// other, exp(-c) show it.
 std::optional<Diagnostic> flashing(const Scene& scene, const Particles& particles,
                                    const Sample& sample) {
     const Box& box = scene.gas.box;
@@ -190,7 +192,8 @@ std::optional<Diagnostic> flashing(const Scene& scene, const Particles& particle
     const Eigen::ArrayXd later =
         (2.0 * energies / std::max(1.0, moving) * particles.inverse_mass).sqrt();
     const double coverings = (2.0 * particles.radius * speeds(sample).max(later)).sum() / area;
-    const double flashes = coverings * fastest_pace(scene);
+    const double seen = box.dimension == 3 ? 0.25 * std::numbers::pi * std::exp(-covered) : 1.0;
+    const double flashes = seen * coverings * fastest_pace(scene);
     if (flashes <= most_flashes) return std::nullopt;
     return barrier(
         whole_file(scene),

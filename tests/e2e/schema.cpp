@@ -153,6 +153,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"theory_growth_mixed", several_places},
     {"theory_piston", several_places},
     {"total_too_large", several_places},
+    {"viewpoint_plane", several_places},  // against the box
     {"wire_filling", several_places},
     {"wire_full", several_places},
     {"wire_full_between", several_places},

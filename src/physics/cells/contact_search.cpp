@@ -166,11 +166,12 @@ template <bool several_images, bool alike, typename Scope>
         store_lanes(sigma, &pairs.sigma[k]);
     }
     // Three steps of a loop would be unrolled too late: the vectors would pass through memory.
-    [&]<std::size_t... axis>(std::index_sequence<axis...>) __attribute__((always_inline)) {
+    const auto store = [&]<std::size_t... axis>(std::index_sequence<axis...>)
+        __attribute__((always_inline)) {
         (store_lanes(motion.r[axis], &pairs.r[axis][k]), ...);
         (store_lanes(motion.v[axis], &pairs.v[axis][k]), ...);
-    }
-    (std::make_index_sequence<axes>());
+    };
+    store(std::make_index_sequence<axes>());
     const auto look = quick_look(motion, sigma);
     const FourLanes latest =
         select(others_latest < a.latest, others_latest, FourLanes{} + a.latest);

@@ -120,8 +120,8 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::settle_instant(std::int32_t i, 
                                                                 Collision* collision) {
     const std::vector<ClosedContact> contacts = closed_contacts_around(i, j);
     if (contacts.size() < (is_random ? 1 : 2)) {
-        for (const std::int32_t k :
-             {i, j})  // which touch nothing else, as far as they can be moved
+        // Those of the two that can be moved touch nothing else.
+        for (const std::int32_t k : {i, j})
             if (geometry_.properties(bodies_, static_cast<std::size_t>(k)).inverse_mass > 0.0)
                 forget_touching(k);
         geometry_.coincidences().watch_always(!touching_.empty());

@@ -251,8 +251,8 @@ class PrecisionSearch {
         }
     }
 
-    // The growth law holds for equal disks; for others this is only a guess. On a line errors grow
-    // more slowly, at a rate that the trials find out.
+    // The growth law holds for equal disks or spheres; for others this is only a guess. On a line
+    // errors grow more slowly, at a rate that the trials find out.
     double first_guess() const {
         if (gas_.box.dimension == 1) return least_bits;
         const double lost =

@@ -235,6 +235,8 @@ class EventLoop {
     // event_loop_contacts.h
     double margin_of_instants() const;
     bool is_closed(const Scalar& gap, const Scalar& speed, double length) const;
+    bool is_beyond_contact(double square, double sigma) const;
+    bool may_touch(std::int32_t i, std::int32_t k);
     Between between(std::int32_t i, std::int32_t j, const Shift& shift);
     std::optional<ClosedContact> closed_pair(std::int32_t i, std::int32_t j, const Shift& shift,
                                              int side);

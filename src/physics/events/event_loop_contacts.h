@@ -38,6 +38,35 @@ bool EventLoop<Dimension, Scalar, has_surfaces>::is_closed(const Scalar& gap, co
     return std::abs(static_cast<double>(gap)) <= std::ldexp(way + length, 3 - bits_);
 }
 
+// Whether two bodies are certainly too far apart to touch, by the square of their distance.
+template <int Dimension, typename Scalar, bool has_surfaces>
+inline bool EventLoop<Dimension, Scalar, has_surfaces>::is_beyond_contact(double square,
+                                                                          double sigma) const {
+    const double size = box_.longest_side();
+    return square > 1.001 * (sigma * sigma) + 1e-12 * (size * size);
+}
+
+// Whether what particle k of the queue does may have to do with body i at the present: it is no
+// body, or they may touch, or both may touch a piston.
+template <int Dimension, typename Scalar, bool has_surfaces>
+bool EventLoop<Dimension, Scalar, has_surfaces>::may_touch(std::int32_t i, std::int32_t k) {
+    if constexpr (has_surfaces) {
+        if (static_cast<std::size_t>(k) >= bodies_.size()) return true;
+        if (geometry_.surfaces().has_pistons()) return true;
+    }
+    double square = 0.0;
+    for (std::size_t a = 0; a < Dimension; ++a) {
+        const double apart = static_cast<double>(position_at(body(k), a, now_)) -
+                             static_cast<double>(position_at(body(i), a, now_));
+        const double nearest = apart - box_.length(a) * box_.turns(a, apart);
+        square += nearest * nearest;
+    }
+    const auto radius = [&](std::int32_t of) {
+        return geometry_.properties(bodies_, static_cast<std::size_t>(of)).radius;
+    };
+    return !is_beyond_contact(square, radius(i) + radius(k));
+}
+
 template <int Dimension, typename Scalar, bool has_surfaces>
 auto EventLoop<Dimension, Scalar, has_surfaces>::between(std::int32_t i, std::int32_t j,
                                                          const Shift& shift) -> Between {
@@ -61,14 +90,14 @@ auto EventLoop<Dimension, Scalar, has_surfaces>::closed_pair(std::int32_t i, std
     using std::sqrt;
     const auto first = geometry_.properties(bodies_, static_cast<std::size_t>(i)),
                second = geometry_.properties(bodies_, static_cast<std::size_t>(j));
-    const double sigma = first.radius + second.radius, size = box_.longest_side();
+    const double sigma = first.radius + second.radius;
     double square = 0.0;
     for (std::size_t k = 0; k < Dimension; ++k) {
         const auto apart = static_cast<double>(position_at(body(j), k, now_)) + shift[k] -
                            static_cast<double>(position_at(body(i), k, now_));
         square += apart * apart;
     }
-    if (square > 1.001 * (sigma * sigma) + 1e-12 * (size * size)) [[likely]]
+    if (is_beyond_contact(square, sigma)) [[likely]]
         return {};
     if (!(first.inverse_mass + second.inverse_mass > 0.0)) return {};
     if (Dimension > 1 && !(sigma > 0.0)) return {};

@@ -322,20 +322,6 @@ std::int32_t EventQueue::earliest() {
     }
 }
 
-// The events of later years are not sorted.
-bool EventQueue::has_another_until(double time, std::int32_t a, std::int32_t b) const {
-    for (const auto& [when, who] : crowd_) {
-        if (when > time) break;
-        if (who != a && who != b) return true;
-    }
-    const std::int32_t end = bucket_of(time) - year_begin_;
-    if (end >= overflow_) return true;
-    for (std::int32_t list = bucket_ - year_begin_; list <= end; ++list)
-        for (std::int32_t i = heads_[index(list)]; i != null_link(); i = nodes_[index(i)].next)
-            if (i != a && i != b && nodes_[index(i)].time <= time) return true;
-    return false;
-}
-
 // After the end of a cycle all events lie beyond it.
 double EventQueue::next_cycle() const {
     double first = never<double>;

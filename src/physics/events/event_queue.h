@@ -53,10 +53,10 @@ class EventQueue {
     /// `time`. May be true if there is none, but is seldom so for a `time` soon after the present.
     bool may_have_another_until(double time) const { return quiet_until_ <= time; }
 
-    /// The same for a particle other than these two, of which one is that of the last earliest();
-    /// may be true without an event if `time` lies in a later year.
-    [[gnu::noinline, gnu::cold]] bool has_another_until(double time, std::int32_t a,
-                                                        std::int32_t b) const;
+    /// Whether a particle with concerns(particle), which is false for that of the last earliest(),
+    /// has an event at a time <= `time`; may be true without one if `time` lies in a later year.
+    template <typename Concerns>
+    [[gnu::noinline]] bool has_another_until(double time, const Concerns& concerns) const;
 
     /// For prefetching; to be called once for each event processed. Stores in `who` the particles
     /// of the next nonempty bucket that has not been reported yet, at most three, and returns their
@@ -174,5 +174,20 @@ class EventQueue {
                                            ///< before
     std::int64_t events_in_cycle_ = 0;
 };
+
+// The events of later years are not sorted.
+template <typename Concerns>
+bool EventQueue::has_another_until(double time, const Concerns& concerns) const {
+    for (const auto& [when, who] : crowd_) {
+        if (when > time) break;
+        if (concerns(who)) return true;
+    }
+    const std::int32_t end = bucket_of(time) - year_begin_;
+    if (end >= overflow_) return true;
+    for (std::int32_t list = bucket_ - year_begin_; list <= end; ++list)
+        for (std::int32_t i = heads_[index(list)]; i != null_link(); i = nodes_[index(i)].next)
+            if (nodes_[index(i)].time <= time && concerns(i)) return true;
+    return false;
+}
 
 }  // namespace carom

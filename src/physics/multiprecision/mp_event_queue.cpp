@@ -38,15 +38,4 @@ std::int32_t MpEventQueue::earliest() const {
     return times_.empty() || std::isinf(keys_[index(winner_[1])]) ? -1 : winner_[1];
 }
 
-// Looks at all matches but those of the two.
-bool MpEventQueue::has_another_until(double time, std::int32_t a, std::int32_t b) const {
-    for (const std::int32_t particle : {a, b}) {
-        for (std::size_t k = times_.size() + index(particle); k > 1; k /= 2) {
-            const std::int32_t winner = winner_[k ^ 1];
-            if (winner != a && winner != b && keys_[index(winner)] <= time) return true;
-        }
-    }
-    return false;
-}
-
 }  // namespace carom

@@ -29,11 +29,14 @@ class MpEventQueue {
     /// there is none.
     std::int32_t earliest() const;
 
-    /// As in EventQueue; here the question is as cheap with the names of two particles.
+    /// As in EventQueue; here has_another_until() is cheap enough.
     static bool may_have_another_until(double) { return true; }
 
-    /// Whether a particle other than these two has an event at a time <= `time`.
-    bool has_another_until(double time, std::int32_t a, std::int32_t b) const;
+    /// Whether a particle with concerns(particle) has an event at a time <= `time`.
+    template <typename Concerns>
+    bool has_another_until(double time, const Concerns& concerns) const {
+        return !times_.empty() && has_until(1, time, concerns);
+    }
 
     template <class Archive>
     void archive(Archive& archive) {
@@ -43,6 +46,13 @@ class MpEventQueue {
   private:
     static std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
     std::int32_t earlier(std::int32_t a, std::int32_t b) const;
+    template <typename Concerns>
+    bool has_until(std::size_t match, double time, const Concerns& concerns) const {
+        const std::int32_t winner = winner_[match];
+        if (keys_[index(winner)] > time) return false;
+        if (match >= times_.size()) return concerns(winner);
+        return has_until(2 * match, time, concerns) || has_until(2 * match + 1, time, concerns);
+    }
     void play(std::size_t match) {
         winner_[match] = earlier(winner_[2 * match], winner_[2 * match + 1]);
     }

@@ -3,6 +3,7 @@
 // particles.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -56,6 +57,10 @@ class MovingSurfaces {
     bool can_be_pushed(const Barrier& barrier) const {
         const auto* mover = mover_of(barrier);
         return mover != nullptr && mover->inverse_mass > 0.0;
+    }
+    /// Whether collisions change the motion of any surface.
+    bool has_pistons() const {
+        return std::ranges::any_of(movers_, [](const auto& m) { return m.inverse_mass > 0.0; });
     }
     /// Whether particles leave it in random directions.
     bool is_random(const Barrier& barrier) const {

@@ -29,14 +29,15 @@ void compare_others_until(const EventQueue& queue, const Order& order, double no
                           std::int32_t found) {
     const auto second = std::next(order.begin());
     const double next = second == order.end() ? never<double> : second->first;
+    const auto another = [found](std::int32_t particle) { return particle != found; };
     for (const double until : {now, now + 1e-9, now + 0.3, next}) {
         if (!std::isfinite(until)) continue;
         const bool others = next <= until;
         if (others) CHECK(queue.may_have_another_until(until));
-        if (others) CHECK(queue.has_another_until(until, found, found));
+        if (others) CHECK(queue.has_another_until(until, another));
         if (!queue.may_have_another_until(until)) CHECK_FALSE(others);
     }
-    if (order.size() > 1 && now < next) CHECK_FALSE(queue.has_another_until(now, found, found));
+    if (order.size() > 1 && now < next) CHECK_FALSE(queue.has_another_until(now, another));
 }
 
 // Draws and replaces events as a simulation does, and compares with a search through all.

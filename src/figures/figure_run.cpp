@@ -306,6 +306,7 @@ Figure FigureRun::sweep_figure(const FigureSpec& spec, int threads,
                                const RunsCallbacks& on_progress) {
     const auto panel = std::make_shared<SweepPanel>(
         PanelContext{scene_, particles(), 1, no_gas_, false}, spec.panel);
+    panel->set_axis_words(spec.panel.x_title, spec.panel.y_title);
     panel->show(swept_numbers(scene_, spec, threads, [&] { on_progress.go_on(scene_.run.until); }));
     sweeps_.push_back(panel);
     return {&spec, panel.get(), {{scene_.run.until, {}, panel->state()}}};

@@ -148,6 +148,18 @@ void refuse_many_scenes(const Scene& scene) {
     throw SceneError({std::move(error)});
 }
 
+std::optional<Diagnostic> of_another_dimension(const ComparedRun& run, const Scene& first,
+                                               const std::string& kind, PanelKinds kinds) {
+    if (first.gas.box.dimension == run.scene->gas.box.dimension ||
+        kind_of(kinds, kind)->can(Ability::any_space))
+        return {};
+    Diagnostic error = run.place;
+    error.message = "this run has another number of dimensions than the first";
+    error.hint = "make a figure for each: of different dimensions, " +
+                 listed(kinds_that_can(kinds, Ability::any_space), "and", "`") + " can be compared";
+    return error;
+}
+
 void load_compared(Scene& scene, PanelKinds kinds, const Overrides& overrides,
                    const ReloadCompared& reload) {
     std::vector<Diagnostic> errors;
@@ -155,15 +167,9 @@ void load_compared(Scene& scene, PanelKinds kinds, const Overrides& overrides,
         for (ComparedRun& run : figure.compare) try {
                 run.scene = std::make_shared<Scene>(compared_scene(figure, run, overrides, reload));
                 const Scene* first = figure.compare.front().scene.get();
-                if (first == nullptr || first->gas.box.dimension == run.scene->gas.box.dimension ||
-                    kind_of(kinds, figure.panel.kind)->can(Ability::any_space))
-                    continue;
-                Diagnostic error = run.place;
-                error.message = "this run has another number of dimensions than the first";
-                error.hint = "make a figure for each: of different dimensions, " +
-                             listed(kinds_that_can(kinds, Ability::any_space), "and", "`") +
-                             " can be compared";
-                errors.push_back(std::move(error));
+                if (first == nullptr) continue;
+                if (auto error = of_another_dimension(run, *first, figure.panel.kind, kinds))
+                    errors.push_back(std::move(*error));
             } catch (const SceneError& error) {
                 errors.insert(errors.end(), error.diagnostics().begin(), error.diagnostics().end());
             }

@@ -9,9 +9,11 @@
 #include "scene/overrides.h"
 #include "scene/panel_kind.h"
 #include "scene/yaml/node.h"
+#include "util/diagnostics.h"
 
 namespace carom {
 
+struct ComparedRun;
 struct Scene;
 
 /// The part of a scene that is loaded for another scene. For a run that a figure compares, only
@@ -37,6 +39,11 @@ void refuse_many_scenes(const Scene& scene);
 
 /// Loads the scene with overrides and, of its figures, only the one of this name.
 using ReloadCompared = std::function<Scene(const std::string& figure, const Overrides&)>;
+
+/// Whether a figure of this kind cannot compare the run with the first of its runs, because their
+/// boxes have different numbers of dimensions: an error at the run.
+std::optional<Diagnostic> of_another_dimension(const ComparedRun& run, const Scene& first,
+                                               const std::string& kind, PanelKinds kinds);
 
 /// Loads the runs that figures compare, with boxes of one dimension unless the kind of the figure
 /// can compare any. Throws SceneError with the errors of all of them.

@@ -439,6 +439,9 @@ TEST_CASE("carom check tells the mistakes of a set, of its scenes and of its pag
     CHECK(has(message("scenes: [one.yaml]\ncomparisons: [{name: c, kind: entropy, scenes: "
                       "[one.yaml, same.yaml]}]\n"),
               "set.yaml:3:59: error: another run has the label `T`"));
+    CHECK(has(message("scenes: [one.yaml]\ncomparisons: [{name: c, kind: entropy, scenes: "
+                      "[one.yaml, {scene: one.yaml, label: x, set: 'box.size=[20, 20, 20]'}]}]\n"),
+              "set.yaml:3:59: error: this run has another number of dimensions than the first"));
     folder.write("set.yaml", "title: T\nscenes: [nowhere.yaml]\n");
     const Outcome outcome = run({program, "check", "--json", "set.yaml"}, folder.path());
     CHECK(outcome.exit_code == 2);

@@ -205,4 +205,11 @@ TEST_CASE("a figure has the words at its axes that the scene gives") {
     CHECK(has(words.out, "how many"));
     // Data keep their names.
     CHECK(!has(contents(folder.path() / "out/scene/speeds.csv"), "celerity"));
+    CHECK(
+        figures(folder, {"scene.yaml", "--set",
+                         "figures.0={name: sweep, kind: sweep, vary: 'gas.0.speed=1:2:2', number: "
+                         "temperature, y_title: how hot}",
+                         "--formats", "pdf"})
+            .exit_code == 0);
+    CHECK(has(run({"pdftotext", "sweep.pdf", "-"}, folder.path() / "out/scene").out, "how hot"));
 }

@@ -11,6 +11,7 @@
 #include "media/formats.h"
 #include "panels/registry.h"
 #include "runs/own_files.h"
+#include "scene/other_runs.h"
 #include "scene/sets/set_reading.h"
 #include "util/diagnostics.h"
 #include "util/interrupt.h"
@@ -88,6 +89,11 @@ SetPart part_of(const std::string& path, const SetFile& set, const SetComparison
         scene.figures = {figure_of(comparison, scene, panel_kinds())};
         run.scene = std::make_shared<Scene>(std::move(scene));
     }
+    const Scene& first = *runs.front().scene;
+    for (const ComparedRun& run : runs)
+        if (const auto error =
+                of_another_dimension(run, first, first.figures.front().panel.kind, panel_kinds()))
+            throw SceneError({*error});
     for (std::size_t k = 1; k < runs.size(); ++k)
         for (std::size_t i = 0; i < k; ++i)
             if (runs[i].label == runs[k].label)

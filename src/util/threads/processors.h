@@ -21,7 +21,7 @@
 /// fails on a version for a processor that is less capable than the one it compiles for anyway
 /// (-march=native).
 #if !defined(__clang__) && !(defined(__AVX2__) && defined(__FMA__))
-#define CAROM_FOR_PROCESSORS_WITH_FMA CAROM_FOR_PROCESSORS("arch=x86-64-v3")
+#define CAROM_FOR_PROCESSORS_WITH_FMA CAROM_FOR_PROCESSORS("arch=x86-64-v4", "arch=x86-64-v3")
 #else
 #define CAROM_FOR_PROCESSORS_WITH_FMA
 #endif

@@ -175,10 +175,7 @@ std::vector<SceneClaims> claims_of_collisions() {
 }  // namespace
 
 std::vector<SceneClaims> claims_of_beads() {
-    std::vector<SceneClaims> table;
-    for (const auto& part : {claims_of_wires(), claims_of_collisions()})
-        table.insert(table.end(), part.begin(), part.end());
-    return table;
+    return joined({claims_of_wires(), claims_of_collisions()});
 }
 
 TEST_CASE("scenes of beads and single collisions show what their words claim") {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <string>
@@ -55,6 +56,12 @@ struct SceneClaims {
     std::string scene;
     std::vector<Claim> claims;
 };
+
+inline std::vector<SceneClaims> joined(std::initializer_list<std::vector<SceneClaims>> parts) {
+    std::vector<SceneClaims> table;
+    for (const auto& part : parts) table.insert(table.end(), part.begin(), part.end());
+    return table;
+}
 
 std::vector<SceneClaims> claims_of_classics();
 std::vector<SceneClaims> claims_of_gaslab();

@@ -382,10 +382,7 @@ std::vector<SceneClaims> claims_of_many_hits() {
 }  // namespace
 
 std::vector<SceneClaims> claims_of_classics() {
-    std::vector<SceneClaims> table;
-    for (const auto& part : {claims_of_waves(), claims_of_mixtures(), claims_of_many_hits()})
-        table.insert(table.end(), part.begin(), part.end());
-    return table;
+    return joined({claims_of_waves(), claims_of_mixtures(), claims_of_many_hits()});
 }
 
 TEST_CASE("classics show what their words claim") { check(claims_of_classics()); }

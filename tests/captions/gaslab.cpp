@@ -328,11 +328,8 @@ std::vector<SceneClaims> claims_of_boxes() {
 }  // namespace
 
 std::vector<SceneClaims> claims_of_gaslab() {
-    std::vector<SceneClaims> table;
-    for (const auto& part :
-         {claims_of_pistons(), claims_of_two_sides(), claims_in_gravity(), claims_of_boxes()})
-        table.insert(table.end(), part.begin(), part.end());
-    return table;
+    return joined(
+        {claims_of_pistons(), claims_of_two_sides(), claims_in_gravity(), claims_of_boxes()});
 }
 
 TEST_CASE("scenes of GasLab show what their words claim") { check(claims_of_gaslab()); }

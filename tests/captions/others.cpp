@@ -369,10 +369,7 @@ std::vector<SceneClaims> claims_of_reversals() {
 }  // namespace
 
 std::vector<SceneClaims> claims_of_others() {
-    std::vector<SceneClaims> table;
-    for (const auto& part : {claims_of_energy_shared(), claims_of_sides(), claims_of_reversals()})
-        table.insert(table.end(), part.begin(), part.end());
-    return table;
+    return joined({claims_of_energy_shared(), claims_of_sides(), claims_of_reversals()});
 }
 
 TEST_CASE("the other scenes show what their words claim") { check(claims_of_others()); }

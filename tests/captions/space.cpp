@@ -239,10 +239,7 @@ std::vector<SceneClaims> claims_of_order() {
 }  // namespace
 
 std::vector<SceneClaims> claims_of_space() {
-    std::vector<SceneClaims> table;
-    for (const auto& part : {claims_of_speeds(), claims_of_room(), claims_of_order()})
-        table.insert(table.end(), part.begin(), part.end());
-    return table;
+    return joined({claims_of_speeds(), claims_of_room(), claims_of_order()});
 }
 
 TEST_CASE("scenes in space show what their words claim") { check(claims_of_space()); }

@@ -122,6 +122,16 @@ double diffusion(int dimension, double packing, int count, const RunOf& run, dou
     return sum / first;
 }
 
+/// The self-diffusion at packings 0.01 and 0.02, extrapolated to 0.
+auto measured_by_two(int dimension, int thin_count, int thick_count, double windows) {
+    return [=](const RunOf& run) {
+        const double thin = diffusion(dimension, 0.01, thin_count, run, 8.0, windows);
+        const double thick =
+            diffusion(dimension, 0.02, thick_count, {run.seed + 1000, run.effort}, 8.0, windows);
+        return std::vector<double>{2.0 * thin - thick};
+    };
+}
+
 Study dilute_diffusion() {
     Study study;
     study.field = kinetic_theory_field;
@@ -142,11 +152,7 @@ Study dilute_diffusion() {
          1.0270, 0.0002, 0.0,
          "D. M. Gass, J. Chem. Phys. 54, 1898 (1971), with the higher Sonine "
          "approximations"}};
-    study.measure = [=](const RunOf& run) {
-        const double thin = diffusion(2, 0.01, 4000, run, 8.0, 40.0);
-        const double thick = diffusion(2, 0.02, 2000, {run.seed + 1000, run.effort}, 8.0, 40.0);
-        return std::vector<double>{2.0 * thin - thick};
-    };
+    study.measure = measured_by_two(2, 4000, 2000, 40.0);
     return study;
 }
 
@@ -168,11 +174,7 @@ Study dilute_diffusion_of_spheres() {
          1.019, 0.0005, 0.0,
          "S. Chapman, T. G. Cowling, The Mathematical Theory of Non-Uniform Gases: "
          "all Sonine approximations"}};
-    study.measure = [=](const RunOf& run) {
-        const double thin = diffusion(3, 0.01, 1728, run, 8.0, 20.0);
-        const double thick = diffusion(3, 0.02, 3375, {run.seed + 1000, run.effort}, 8.0, 20.0);
-        return std::vector<double>{2.0 * thin - thick};
-    };
+    study.measure = measured_by_two(3, 1728, 3375, 20.0);
     return study;
 }
 

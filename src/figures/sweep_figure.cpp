@@ -243,12 +243,47 @@ class SweptFigure {
         }
     }
 
+    // The phase whose theory holds at this value of the key; nothing if there is none.
+    std::optional<PhaseOfSpheres> phase_at(Changes& changes, double key) const {
+        const std::shared_ptr<const Scene> scene = scene_at(changes, key);
+        if (scene == nullptr) return std::nullopt;
+        for (const PhaseOfSpheres phase :
+             {PhaseOfSpheres::fluid, PhaseOfSpheres::coexistence, PhaseOfSpheres::crystal})
+            if (theory_of_number(shown_.number, *scene, summary_.sweep.seeds, phase)) return phase;
+        return std::nullopt;
+    }
+
+    // Adds values on both sides of where one phase gives way to another, so that their curves meet.
+    std::vector<double> with_transitions(const std::vector<double>& keys, Changes& changes) const {
+        constexpr int halvings = 12;
+        if (keys.size() < 2) return keys;
+        std::vector<double> all{keys.front()};
+        std::optional<PhaseOfSpheres> before = phase_at(changes, keys.front());
+        for (std::size_t k = 1; k < keys.size(); ++k) {
+            const std::optional<PhaseOfSpheres> after = phase_at(changes, keys[k]);
+            double low = keys[k - 1], high = keys[k];
+            if (before && after && *before != *after) {
+                for (int i = 0; i < halvings; ++i) {
+                    const double middle = 0.5 * (low + high);
+                    const std::optional<PhaseOfSpheres> there = phase_at(changes, middle);
+                    if (!there) break;
+                    (*there == *before ? low : high) = middle;
+                }
+                if (low > keys[k - 1]) all.push_back(low);
+                if (high < keys[k]) all.push_back(high);
+            }
+            all.push_back(keys[k]);
+            before = after;
+        }
+        return all;
+    }
+
     // Adds the theoretical curve. For a key that takes only whole numbers there are no values in
     // between. The curve has a gap where no gas exists.
     void add_theory(SweptLine& line, const std::vector<std::int64_t>& points) const {
         Changes changes = summary_.sweep.changes_at(points.front());
         double last = std::numeric_limits<double>::quiet_NaN();
-        for (double key : keys_between(points)) {
+        for (double key : with_transitions(keys_between(points), changes)) {
             std::shared_ptr<const Scene> scene = scene_at(changes, key);
             if (scene == nullptr && key != std::round(key)) {
                 key = std::round(key);
@@ -259,16 +294,19 @@ class SweptFigure {
             const SeedRange& seeds = summary_.sweep.seeds;
             const auto x = place_of(*scene, key);
             if (!x) continue;
-            if (const auto y = theory_of_number(shown_.number, *scene, seeds)) {
-                line.theory.name = name_of_theory(shown_.number, *scene).english;
-                line.theory.x.push_back(*x);
-                line.theory.y.push_back(*y);
-            }
-            if (const auto y = ideal_gas_of_number(shown_.number, *scene, seeds)) {
-                line.ideal.name = name_of_ideal_gas().english;
-                line.ideal.x.push_back(*x);
-                line.ideal.y.push_back(*y);
-            }
+            const auto add = [&](SweptCurve& curve, std::optional<double> y, const Phrase& name) {
+                if (!y) return;
+                curve.name = name.english;
+                curve.x.push_back(*x);
+                curve.y.push_back(*y);
+            };
+            for (const auto& [curve, phase] :
+                 {std::pair{&line.theory, PhaseOfSpheres::fluid},
+                  std::pair{&line.coexistence, PhaseOfSpheres::coexistence},
+                  std::pair{&line.crystal, PhaseOfSpheres::crystal}})
+                add(*curve, theory_of_number(shown_.number, *scene, seeds, phase),
+                    name_of_theory(shown_.number, *scene, phase));
+            add(line.ideal, ideal_gas_of_number(shown_.number, *scene, seeds), name_of_ideal_gas());
         }
     }
 

@@ -31,8 +31,10 @@ std::optional<std::vector<Eigen::Index>> of_species(const std::string& name, con
 }
 
 // What theory knows of a number of runs: nothing of one that has no law.
-std::optional<Law> law_of_number(const std::string& number, const Gas& gas, const BoxedGas& boxed) {
-    if (is_pressure(number)) return law(boxed, LawOf::pressure);
+std::optional<Law> law_of_number(const std::string& number, const Gas& gas, const BoxedGas& boxed,
+                                 PhaseOfSpheres phase) {
+    if (is_pressure(number)) return law(boxed, LawOf::pressure, {.phase = phase});
+    if (phase != PhaseOfSpheres::fluid) return std::nullopt;
     if (number == "collision rate") return law(boxed, LawOf::collision_rate);
     if (number == "temperature") return law(boxed, LawOf::temperature);
     if (number == "mean free path") return law(boxed, LawOf::mean_free_path);
@@ -69,9 +71,10 @@ std::optional<double> mean_over_seeds(
 }  // namespace
 
 std::optional<double> theory_of_number(const std::string& number, const Scene& scene,
-                                       const SeedRange& seeds) {
-    return mean_over_seeds(
-        scene, seeds, [&](const BoxedGas& gas) { return law_of_number(number, scene.gas, gas); });
+                                       const SeedRange& seeds, PhaseOfSpheres phase) {
+    return mean_over_seeds(scene, seeds, [&](const BoxedGas& gas) {
+        return law_of_number(number, scene.gas, gas, phase);
+    });
 }
 
 std::optional<double> ideal_gas_of_number(const std::string& number, const Scene& scene,
@@ -82,7 +85,9 @@ std::optional<double> ideal_gas_of_number(const std::string& number, const Scene
     });
 }
 
-Phrase name_of_theory(const std::string& number, const Scene& scene) {
+Phrase name_of_theory(const std::string& number, const Scene& scene, PhaseOfSpheres phase) {
+    if (phase == PhaseOfSpheres::coexistence) return Phrase{"fluid and crystal"};
+    if (phase == PhaseOfSpheres::crystal) return Phrase{"crystal (Speedy)"};
     const int dimension = scene.gas.box.dimension;
     const bool is_line = dimension == 1;
     if (is_pressure(number))

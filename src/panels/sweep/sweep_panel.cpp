@@ -49,7 +49,26 @@ plot::Stroke stroke_of_theory(std::vector<double> dashes) {
             .shade = plot::Shade::legible};
 }
 
-const std::vector<double> dashes_of_theory{0.6, 0.4}, dashes_of_ideal{0.15, 0.35};
+/// A curve of a figure of one line, how it is drawn, and what its account says of it.
+struct DrawnCurve {
+    const SweptCurve* curve;
+    std::vector<double> dashes;
+    std::string (*account)(Language, const std::string& name);
+};
+
+std::vector<DrawnCurve> curves_of(const SweptLine& line) {
+    using Name = const std::string&;
+    std::vector<DrawnCurve> all{
+        {&line.theory, {0.6, 0.4}, [](Language l, Name n) { return say(l, "Dashed: {}.", n); }},
+        {&line.coexistence, {}, [](Language l, Name n) { return say(l, "Solid line: {}.", n); }},
+        {&line.crystal,
+         {1.4, 0.4},
+         [](Language l, Name n) { return say(l, "Long dashes: {}.", n); }},
+        {&line.ideal, {0.15, 0.35}, [](Language l, Name n) { return say(l, "Dotted: {}.", n); }}};
+    // A single value makes no visible curve.
+    std::erase_if(all, [](const DrawnCurve& one) { return one.curve->y.size() < 2; });
+    return all;
+}
 
 struct Extent {
     double least = std::numeric_limits<double>::infinity();
@@ -86,7 +105,8 @@ void SweepPanel::set_axes(const SweptNumbers& numbers) {
             up.take(line.mean[i] - error);
             up.take(line.mean[i] + error);
         }
-        for (const double value : line.theory.y) up.take(value);
+        for (const SweptCurve* curve : {&line.theory, &line.coexistence, &line.crystal})
+            for (const double value : curve->y) up.take(value);
     }
     plot_.x = across.axis();
     plot_.x.title = escape_markup(numbers.across);
@@ -116,13 +136,10 @@ void SweepPanel::set_words(const SweptNumbers& numbers) {
     const SweptLine& first = numbers.lines.front();
     plot::Note key{.wraps = true};
     if (numbers.lines.size() > 1) return set_words_of_lines(numbers);
-    for (const auto& [curve, dashes] :
-         {std::pair{&first.theory, dashes_of_theory}, std::pair{&first.ideal, dashes_of_ideal}}) {
-        if (curve->y.size() < 2) continue;  // a single value makes no visible curve
+    for (const auto& [curve, dashes, account] : curves_of(first)) {
         const std::string name = say(language_, Phrase{curve->name});
         key.entries.push_back({.swatch = stroke_of_theory(dashes), .words = {escape_markup(name)}});
-        plot_.account += " " + (dashes == dashes_of_theory ? say(language_, "Dashed: {}.", name)
-                                                           : say(language_, "Dotted: {}.", name));
+        plot_.account += " " + account(language_, name);
     }
     if (key.entries.empty()) return;
     key.of_last_titles = plot_.titles.size();  // unless the names are at the curves
@@ -166,10 +183,9 @@ void SweepPanel::add_curves(const SweptLine& line, std::size_t k, std::size_t li
         return add_curve(line.theory.y.size() > 1 ? line.theory : joined, plot::stroke_of_run(k),
                          line.column);
     }
-    for (const auto& [curve, dashes] :
-         {std::pair{&line.theory, dashes_of_theory}, std::pair{&line.ideal, dashes_of_ideal}}) {
+    for (const auto& [curve, dashes, account] : curves_of(line)) {
         add_curve(*curve, stroke_of_theory(dashes), line.column);
-        if (plot_.at_lines && curve->y.size() > 1)
+        if (plot_.at_lines)
             plot::name_last_line(plot_, escape_markup(say(language_, Phrase{curve->name})));
     }
 }

@@ -24,6 +24,8 @@ struct SweptLine {
     std::vector<double> x = {}, mean = {}, error = {};
     std::vector<std::int64_t> runs = {};  ///< of each point: how many have the number
     SweptCurve theory = {};               ///< without values if none is known
+    SweptCurve coexistence = {};          ///< of spheres, where fluid and crystal are side by side
+    SweptCurve crystal = {};              ///< and where they are a crystal
     SweptCurve ideal = {};                ///< of an ideal gas
 };
 

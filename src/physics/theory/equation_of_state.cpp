@@ -7,6 +7,7 @@
 #include <span>
 
 #include "physics/placement/members.h"
+#include "physics/theory/collision_rate.h"
 
 namespace carom {
 namespace {
@@ -47,6 +48,11 @@ double henderson(double packing_fraction) {
 double carnahan_starling(double packing_fraction) {
     const double eta = packing_fraction, free = 1.0 - eta;
     return (1.0 + eta * (1.0 + eta * (1.0 - eta))) / (free * free * free);
+}
+
+// Of a crystal whose density is this part of that of close packing.
+double speedy(double density) {
+    return 3.0 / (1.0 - density) - 0.5921 * (density - 0.7072) / (density - 0.601);
 }
 
 // A fluid of disks or spheres; lengths are in units of the diameter and energies in units of the
@@ -174,7 +180,25 @@ std::string_view name_of(EquationOfState equation, int dimension) {
     return is_simple ? "Henderson" : "Kolafa–Rottner";
 }
 
-double largest_packing_of_fluid(int dimension) { return dimension == 3 ? 0.494 : 0.70; }
+double largest_packing_of_fluid(int dimension) { return dimension == 3 ? 0.492 : 0.70; }
+
+std::optional<double> compressibility_of_phase(PhaseOfSpheres phase, double packing_fraction) {
+    constexpr double melting = 0.543, close_packing = pi / (3.0 * std::numbers::sqrt2);
+    constexpr double pressure_of_coexistence = 11.5727;  // in units of T / d^3
+    const double freezing = largest_packing_of_fluid(3), eta = packing_fraction;
+    switch (phase) {
+        case PhaseOfSpheres::fluid:
+            if (eta > freezing) return std::nullopt;
+            return compressibility_factor(3, EquationOfState::accurate, eta);
+        case PhaseOfSpheres::coexistence:
+            if (eta < freezing || eta > melting) return std::nullopt;
+            return pressure_of_coexistence * content_of_ball(0.5, 3) / eta;
+        case PhaseOfSpheres::crystal:
+            if (eta < melting || !(eta < close_packing)) return std::nullopt;
+            return speedy(eta / close_packing);
+    }
+    return std::nullopt;
+}
 
 double compressibility_factor(int dimension, EquationOfState equation, double packing_fraction) {
     const bool is_simple = equation == EquationOfState::simple;
@@ -228,6 +252,20 @@ std::optional<double> pressure_of_fluid(EquationOfState equation, const Box& box
     const double in_units = extent > 0.0 ? force / extent : gas->fluid.pressure();
     const double d = gas->diameter;
     return measured(in_units, content_of({d, d, d}, box.dimension));
+}
+
+std::optional<double> pressure_of_phase(PhaseOfSpheres phase, const Box& box,
+                                        const Particles& particles, const ThermalMotion& thermal) {
+    if (box.dimension != 3 || !box.is_periodic() || particles.count() == 0 ||
+        !(particles.inverse_mass > 0.0).all() || !(particles.radius[0] > 0.0) ||
+        (particles.radius != particles.radius[0]).any())
+        return std::nullopt;
+    if (phase == PhaseOfSpheres::fluid)
+        return pressure_of_fluid(EquationOfState::accurate, box, particles, thermal);
+    const double eta = packing_fraction(box, particles);
+    const std::optional<double> factor = compressibility_of_phase(phase, eta);
+    if (!factor) return std::nullopt;
+    return *factor * pressure_of_points(box, thermal.energy);
 }
 
 std::optional<double> force_of_fluid(EquationOfState equation, const Box& box,

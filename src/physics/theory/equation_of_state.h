@@ -29,9 +29,28 @@ enum class EquationOfState {
 std::string_view name_of(EquationOfState equation, int dimension);
 
 /// Above this packing fraction the fluid begins to freeze. For disks 0.70: Li et al. (2022) find
-/// coexistence from 0.700 to 0.716. For spheres 0.494: Hoover and Ree (J. Chem. Phys. 49, 3609,
-/// 1968) found coexistence from 0.494 to 0.545; later values are lower by up to 0.003.
+/// coexistence from 0.700 to 0.716. For spheres 0.492: there the accurate equation has the pressure
+/// of coexistence (PhaseOfSpheres). Hoover and Ree (J. Chem. Phys. 49, 3609, 1968) found 0.494.
 double largest_packing_of_fluid(int dimension);
+
+/// A phase of equal spheres in space, at the packing fractions at which it is the stable one.
+enum class PhaseOfSpheres {
+    fluid,  ///< up to largest_packing_of_fluid()
+    /// A fluid and a crystal side by side, both at the pressure 11.5727 T / d^3, with the
+    /// temperature T and the diameter d: L. A. Fernandez et al., Phys. Rev. Lett. 108, 165701
+    /// (2012), 11.5727(10) from up to 2916 spheres. Hoover and Ree (1968) found 11.7.
+    coexistence,
+    /// Face-centred cubic, from the packing fraction 0.543, at which it has the pressure of
+    /// coexistence, to that of close packing, pi / sqrt(18): R. J. Speedy, J. Phys.: Condens.
+    /// Matter 10, 4387 (1998), a fit to molecular dynamics. With z, the density divided by that of
+    /// close packing, Z = 3 / (1 - z) - 0.5921 (z - 0.7072) / (z - 0.601).
+    crystal
+};
+
+/// The compressibility factor of equal spheres in space in the one phase that is stable at this
+/// packing fraction, dimensionless; nothing for another. The fluid has that of the accurate
+/// equation of state.
+std::optional<double> compressibility_of_phase(PhaseOfSpheres phase, double packing_fraction);
 
 /// The compressibility factor Z by this equation in 2 or 3 dimensions, dimensionless.
 double compressibility_factor(int dimension, EquationOfState equation, double packing_fraction);
@@ -67,9 +86,18 @@ double pressure_of_points(const Box& box, double thermal_energy);
 std::optional<double> pressure_of_fluid(EquationOfState equation, const Box& box,
                                         const Particles& particles, const ThermalMotion& thermal);
 
-/// The mean force of such a gas, of one radius, on each side across an axis, or through a line or
-/// plane across a periodic axis, divided by the temperature: 1/length. Returns nothing where
-/// pressure_of_fluid() does, and for several radii.
+/// The time-averaged pressure of equal spheres in a periodic box in space that form this phase, as
+/// virial_pressure() measures it. Returns nothing for another gas, and where the phase is not the
+/// stable one. In a crystal, and where it coexists with a fluid, N spheres whose centre of mass
+/// rests have the pressure 2 K Z / (3 V), with the thermal energy K: a crystal's 3 N - 3 vibrations
+/// share it evenly. Coexistence is that of a large box, in which the surface between the phases
+/// counts for little.
+std::optional<double> pressure_of_phase(PhaseOfSpheres phase, const Box& box,
+                                        const Particles& particles, const ThermalMotion& thermal);
+
+/// The mean force of a fluid between walls, of one radius, on each side across an axis, or through
+/// a line or plane across a periodic axis, divided by the temperature: 1/length. Returns nothing
+/// where pressure_of_fluid() does, and for several radii.
 std::optional<double> force_of_fluid(EquationOfState equation, const Box& box,
                                      const Particles& particles, int axis);
 

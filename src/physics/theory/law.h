@@ -79,6 +79,7 @@ struct Asked {
     std::vector<double> lengths = {};             ///< of the box across `surface`, in rising order
     bool as_points = false;  ///< an ideal gas in place of particles that collide
     EquationOfState equation = EquationOfState::accurate;  ///< of disks or spheres
+    PhaseOfSpheres phase = PhaseOfSpheres::fluid;          ///< for which a pressure is asked
 };
 
 /// What theory knows of a quantity.

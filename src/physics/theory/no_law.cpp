@@ -53,6 +53,7 @@ constexpr std::array words{
     Phrase{"the radii differ"},
     Phrase{"the gas is too dense for the theory of dilute gases"},
     Phrase{"at this density particles freeze"},
+    Phrase{"of such a gas, or at this density, the phase is not known"},
     Phrase{"the gas is too near to freezing"},
     Phrase{"the box is not a cube"},
     Phrase{"the partition is not in the middle"},

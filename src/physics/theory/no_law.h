@@ -64,6 +64,7 @@ struct NoLaw {
         unequal_radii,
         dense,          ///< denser than the theory of dilute gases allows
         freezes,        ///< so dense that particles freeze
+        no_such_phase,  ///< at this packing, or of such a gas, the phase is not stable or not known
         near_freezing,  ///< denser than what a fit was made to
         no_cube,        ///< a box with unequal sides
         off_center,     ///< a partition that is not in the middle

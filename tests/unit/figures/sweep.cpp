@@ -150,6 +150,35 @@ TEST_CASE("the curve of a pressure begins as that of an ideal gas and rises as h
               .theory.y.empty());
 }
 
+TEST_CASE(
+    "the pressure of spheres has curves of the fluid, of coexistence and of the crystal, which "
+    "meet") {
+    const std::string spheres =
+        "box: {size: [9.524406, 6.349604, 6.349604], walls: periodic}\n"
+        "gas: [{name: a, count: 384, radius: 0.4, temperature: {exact: 1}, position: lattice}]\n"
+        "run: {until: 0.1}\n";
+    const SweptLine line = numbers_of(scene_of("number: virial pressure, across: packing, "
+                                               "vary: \"gas.0.radius=0.47,0.48,0.52\"",
+                                               spheres))
+                               .lines.front();
+    const SweptCurve &fluid = line.theory, &both = line.coexistence, &crystal = line.crystal;
+    REQUIRE(fluid.x.size() > 2);
+    REQUIRE(both.x.size() > 2);
+    REQUIRE(crystal.x.size() > 2);
+    CHECK(fluid.x.back() == doctest::Approx(0.492).epsilon(1e-4));
+    CHECK(both.x.front() == doctest::Approx(0.492).epsilon(1e-4));
+    CHECK(both.x.back() == doctest::Approx(0.543).epsilon(1e-4));
+    CHECK(crystal.x.front() == doctest::Approx(0.543).epsilon(1e-4));
+    // There both have the pressure of coexistence, to the rounding of these packings.
+    CHECK(fluid.y.back() == doctest::Approx(both.y.front()).epsilon(0.004));
+    CHECK(crystal.y.front() == doctest::Approx(both.y.back()).epsilon(0.004));
+    // Of the same number in the same volume: at the diameter d it is 11.5727 / d^3, but for 1/N.
+    for (std::size_t k = 0; k < both.x.size(); ++k)
+        CHECK(both.y[k] * both.x[k] ==
+              doctest::Approx(11.5727 * std::numbers::pi / 6.0 * 383.0 / 384.0).epsilon(1e-6));
+    CHECK(crystal.y.back() > both.y.front());
+}
+
 TEST_CASE("the pressure of rods is Tonks' at every value") {
     const std::string rods =
         "box: {length: 50}\ngas: [{name: a, count: 10, radius: 0.5, temperature: {exact: 2}}]\n"

@@ -46,8 +46,12 @@ Law ideal_pressure(const BoxedGas& gas, const Asked& asked) {
 Law pressure(const BoxedGas& gas, const Asked& asked) {
     const Law ideal = ideal_pressure(gas, asked);
     const Particles& particles = *gas.particles;
-    if (!ideal || gas.are_points()) return ideal;
+    if (!ideal || (gas.are_points() && asked.phase == PhaseOfSpheres::fluid)) return ideal;
     const ThermalMotion thermal = asked.thermal.value_or(gas.thermal);
+    if (asked.phase != PhaseOfSpheres::fluid) {
+        const auto found = pressure_of_phase(asked.phase, gas.box, particles, thermal);
+        return found ? value(*found) : none(Why::no_such_phase);
+    }
     if (gas.box.dimension == 1) {
         const auto rods = pressure_of_rods(gas.box, particles, thermal);
         return rods ? value(*rods) : none(Why::no_room);

@@ -1,5 +1,6 @@
 #include "physics/theory/equation_of_state.h"
 
+#include <Eigen/LU>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -155,21 +156,152 @@ std::optional<Filled> filled(EquationOfState equation, const Box& box, const Par
     return fluid ? std::optional(Filled{diameter, room, *fluid}) : std::nullopt;
 }
 
-// P / T of spheres of several radii in a periodic box; nothing if they may freeze.
+// What the free energy of a mixture of spheres depends on: the sums, per volume, of 1 and of the
+// radius, surface and content of each (Rosenfeld, Phys. Rev. Lett. 63, 980, 1989).
+struct MixtureSums {
+    explicit MixtureSums(const Eigen::Vector4d& sums)
+        : count(sums[0]), radius(sums[1]), surface(sums[2]), packing(sums[3]) {
+        // Of f: f(0) = 1 / (24 pi), (packing^2 f)' = packing (3 - packing) / (36 pi free^3).
+        double power = 1.0;
+        for (int k = 1; k <= 150; ++k) {
+            const double c = k * (k + 2.0) / (k + 1.0) / (36.0 * pi) * power;
+            f += c;
+            slope += c * (k - 1.0);
+            curvature += c * (k - 1.0) * (k - 2.0);
+            power *= packing;
+        }
+        slope /= packing;
+        curvature /= packing * packing;
+    }
+
+    // P / T less that of an ideal gas.
+    double excess_pressure() const {
+        const double u = 1.0 / (1.0 - packing);
+        return count * (u - 1.0) + radius * surface * u * u +
+               cube(surface) * (3.0 - packing) * cube(u) / (36.0 * pi);
+    }
+    // The tension, divided by T, where the centres of spheres of the diameter d end, less that of
+    // an ideal gas, by scaled particle theory: at the wall itself it is the derivative of its free
+    // energy by `surface`, and then a layer of d / 2 has its excess pressure.
+    double tension(double d) const {
+        const double u = 1.0 / (1.0 - packing), s = surface * u;
+        const double pressure = count * (u - 1.0) + radius * s * u + cube(s) / (12.0 * pi);
+        return radius * (u - 1.0) + s * s / (8.0 * pi) - 0.5 * d * pressure;
+    }
+    Eigen::Vector4d slopes_of_tension(double d) const {
+        const double u = 1.0 / (1.0 - packing), s = surface * u;
+        const Eigen::Vector4d at_wall{0.0, u - 1.0, s * u / (4.0 * pi),
+                                      radius * u * u + s * s * u / (4.0 * pi)};
+        const Eigen::Vector4d of_pressure{
+            u - 1.0, s * u, radius * u * u + s * s * u / (4.0 * pi),
+            count * u * u + 2.0 * radius * s * u * u + cube(s) * u / (4.0 * pi)};
+        return at_wall - 0.5 * d * of_pressure;
+    }
+    // Second derivatives of the excess free energy -count ln(free) + radius surface / free +
+    // surface^3 f(packing), in units of T.
+    Eigen::Matrix4d stiffness() const {
+        const double u = 1.0 / (1.0 - packing), s = surface;
+        Eigen::Matrix4d h = Eigen::Matrix4d::Zero();
+        h(0, 3) = h(3, 0) = h(1, 2) = h(2, 1) = u;
+        h(1, 3) = h(3, 1) = s * u * u;
+        h(2, 2) = 6.0 * s * f;
+        h(2, 3) = h(3, 2) = radius * u * u + 3.0 * s * s * slope;
+        h(3, 3) = count * u * u + 2.0 * radius * s * cube(u) + cube(s) * curvature;
+        return h;
+    }
+
+    static double cube(double x) { return x * x * x; }
+
+    double count, radius, surface, packing;
+    double f = 0.0, slope = 0.0, curvature = 0.0;
+};
+
+// Spheres of several radii in a box of this size, with and without walls.
+class MixedFluid {
+  public:
+    MixedFluid(const Box& box, const Particles& particles) : box_(box), all_(particles.count(), 4) {
+        const Eigen::ArrayXd radius = particles.radius;
+        all_ << Eigen::ArrayXd::Ones(radius.size()), radius, 4.0 * pi * radius.square(),
+            4.0 / 3.0 * pi * radius.cube();
+        mean_ = 6.0 * all_.col(3).sum() / all_.col(2).sum();
+    }
+
+    // P / T, as the mean force on all walls over their extent; nothing if the spheres may freeze.
+    std::optional<double> pressure() const {
+        const Cavity room(box_.size, *this);
+        if (!(room.content > 0.0)) return std::nullopt;
+        Eigen::VectorXd density = Eigen::VectorXd::Constant(all_.rows(), 1.0 / room.content);
+        for (int i = 0; i < 200; ++i) {
+            const MixtureSums sums(all_.transpose() * density);
+            if (!(sums.packing < 0.6)) return std::nullopt;
+            const Eigen::Matrix4d squares = all_.transpose() * density.asDiagonal() * all_;
+            const Eigen::Matrix4d response =
+                Eigen::Matrix4d::Identity() + sums.stiffness() * squares;
+            const Eigen::Vector4d shift = response.partialPivLu().solve(room.slopes(sums));
+            const Eigen::VectorXd next = (room.content - (all_ * shift).array()).inverse().matrix();
+            if (!(next.array() > 0.0).all()) return std::nullopt;
+            const double change = (next - density).cwiseAbs().maxCoeff() / next.maxCoeff();
+            density = next;
+            if (change < 1e-14) break;
+        }
+        const MixtureSums sums(all_.transpose() * density);
+        if (!(sums.packing <= largest_packing_of_fluid(3))) return std::nullopt;
+        double force = 0.0, extent = 0.0;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (box_.is_periodic(axis)) continue;
+            Vec longer = box_.size;  // the potential is linear in each length
+            longer[axis] += mean_;
+            force += (room.potential(sums) - Cavity(longer, *this).potential(sums)) / mean_;
+            extent += content_across(box_.size, 3, axis);
+        }
+        return extent > 0.0 ? force / extent : sums.count + sums.excess_pressure();
+    }
+
+  private:
+    // The grand potential is that of ideal gases, each in the room that its centres reach, plus
+    // that of the excess in the room of centres of spheres of the mean diameter, with its tension.
+    struct Cavity {
+        Cavity(const Vec& size, const MixedFluid& gas) : mean(gas.mean_) {
+            Room room{3};
+            Eigen::Vector4d reached{1.0, 0.0, 0.0, 0.0};  // by centres: by powers of the diameter
+            for (int axis = 0; axis < 3; ++axis) {
+                const bool has_walls = !gas.box_.is_periodic(axis);
+                room.has_walls.at(static_cast<std::size_t>(axis)) = has_walls;
+                room.reach[axis] = size[axis] - (has_walls ? mean : 0.0);
+                Eigen::Vector4d next = size[axis] * reached;
+                if (has_walls) next.tail<3>() -= reached.head<3>();
+                reached = next;
+            }
+            content = room.content();
+            surface = room.boundary();
+            // Of each sphere d = 2 radius, d^2 = surface / pi, d^3 = 6 content / pi.
+            ideal = {reached[0], 2.0 * reached[1], reached[2] / pi, 6.0 * reached[3] / pi};
+        }
+        // What is added to -P times the content, in units of T, and its derivatives.
+        Eigen::Vector4d slopes(const MixtureSums& sums) const {
+            Eigen::Vector4d all = surface * sums.slopes_of_tension(mean) - ideal;
+            all[0] += content;
+            return all;
+        }
+        double potential(const MixtureSums& sums) const {
+            return surface * sums.tension(mean) - sums.excess_pressure() * content -
+                   ideal.dot(Eigen::Vector4d{sums.count, sums.radius, sums.surface, sums.packing});
+        }
+        double mean, content = 0.0, surface = 0.0;
+        Eigen::Vector4d ideal;
+    };
+
+    const Box& box_;
+    Eigen::MatrixX4d all_;
+    double mean_ = 0.0;  // diameter: the sum of cubes over that of squares
+};
+
+// P / T of spheres of several radii; nothing if they may freeze.
 std::optional<double> pressure_of_mixture(const Box& box, const Particles& particles) {
-    if (box.dimension != 3 || !box.is_periodic() || !(particles.inverse_mass > 0.0).all() ||
+    if (box.dimension != 3 || !(particles.inverse_mass > 0.0).all() ||
         !(particles.radius > 0.0).all())
         return std::nullopt;
-    // The sums of d^k over all spheres, times pi / (6 V).
-    const Eigen::ArrayXd diameter = 2.0 * particles.radius, square = diameter.square();
-    const double scale = pi / (6.0 * box.content());
-    const double n0 = scale * static_cast<double>(particles.count()), n1 = scale * diameter.sum(),
-                 n2 = scale * square.sum(), n3 = scale * (square * diameter).sum();
-    if (n3 > largest_packing_of_fluid(3)) return std::nullopt;
-    const double free = 1.0 - n3;
-    return 6.0 / pi *
-           (n0 / free + 3.0 * n1 * n2 / (free * free) +
-            (3.0 - n3) * n2 * n2 * n2 / (free * free * free));
+    return MixedFluid(box, particles).pressure();
 }
 
 }  // namespace

@@ -67,10 +67,10 @@ double pressure_of_points(const Box& box, double thermal_energy);
 /// The time-averaged pressure, in energy per area or volume, of a gas with this thermal motion in
 /// its box, as virial_pressure() and wall_pressure() measure it, in a plane or in space. It follows
 /// from an equation of state; the masses do not matter. Returns nothing on a line, and unless all
-/// particles have finite masses and form a fluid. All must have the same radius; spheres of several
-/// radii in a periodic box have the pressure of mixtures by Boublik (J. Chem. Phys. 53, 471, 1970)
-/// and by Mansoori, Carnahan, Starling and Leland (J. Chem. Phys. 54, 1523, 1971), whatever the
-/// equation, up to the packing at which equal ones freeze.
+/// particles have finite masses and form a fluid. Disks must all have the same radius; spheres of
+/// several radii have the pressure of mixtures by Boublik (J. Chem. Phys. 53, 471, 1970) and by
+/// Mansoori, Carnahan, Starling and Leland (J. Chem. Phys. 54, 1523, 1971), whatever the equation,
+/// up to the packing at which equal ones freeze.
 ///
 /// The effect of solid sides is that of a tension gamma of the line or surface that the centres can
 /// reach. Each such wall adds -rho d(gamma)/d(P) particles per length or area to the number that
@@ -82,7 +82,14 @@ double pressure_of_points(const Box& box, double thermal_energy);
 /// eta)^3) in space (Reiss, Frisch, Helfand and Lebowitz, J. Chem. Phys. 32, 119, 1960): the work
 /// of making a large empty circle or sphere less that of P times its content. Both are exact to
 /// second order in the density. In a plane the pressure is within 1 % up to a packing fraction of
-/// 0.5 for boxes 13 diameters wide.
+/// 0.5 for boxes 13 diameters wide. In space, where edges count too, it is 2.8 % too high at a
+/// packing fraction of 0.3 between six walls 9 diameters apart, and 0.2 % at 16.
+///
+/// Of a mixture of spheres gamma / T, at the wall itself, is n1 / (1 - eta) + n2^2 / (8 pi (1 -
+/// eta)^2), with the sums n1 of the radii and n2 of the surfaces of all spheres per volume: the
+/// derivative of the free energy of scaled particle theory by n2 (Rosenfeld, Phys. Rev. Lett. 63,
+/// 980, 1989). It is exact to second order in the density, and that of equal spheres is the one
+/// above. What ideal gases add is exact, as their centres reach different rooms.
 std::optional<double> pressure_of_fluid(EquationOfState equation, const Box& box,
                                         const Particles& particles, const ThermalMotion& thermal);
 

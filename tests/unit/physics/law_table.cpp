@@ -315,7 +315,7 @@ const std::map<LawOf, std::string>& table_of_space() {
          "yes yes one_axis one_axis yes yes gravity gravity bath piston piston "
          "partitions partitions keeps_axes obstacles obstacles yes yes yes yes yes"},
         {LawOf::pressure,
-         "yes yes one_axis one_axis yes unequal_radii gravity gravity bath piston piston "
+         "yes yes one_axis one_axis yes yes gravity gravity bath piston piston "
          "partitions partitions keeps_axes obstacles obstacles yes yes yes yes freezes"},
         {LawOf::contact,
          "yes yes yes yes unequal_masses unequal_masses gravity gravity yes piston "

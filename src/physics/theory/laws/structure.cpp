@@ -56,9 +56,7 @@ Law pressure(const BoxedGas& gas, const Asked& asked) {
         const auto rods = pressure_of_rods(gas.box, particles, thermal);
         return rods ? value(*rods) : none(Why::no_room);
     }
-    // Of mixtures the effect of walls is not known.
-    const bool is_known_mixture = gas.box.dimension == 3 && gas.box.is_periodic();
-    if (!are_equal(particles.radius) && !is_known_mixture) return none(Why::unequal_radii);
+    if (!are_equal(particles.radius) && gas.box.dimension != 3) return none(Why::unequal_radii);
     if (gas.has_points()) return none(Why::points);
     const auto fluid = pressure_of_fluid(asked.equation, gas.box, particles, thermal);
     if (!fluid) return none(Why::freezes);

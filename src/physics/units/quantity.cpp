@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "physics/units/unit_table.h"
+
 namespace carom {
 namespace {
 
@@ -14,10 +16,11 @@ std::string base_to_power(const char* base, int twice) {
     return twice == 2 ? base : fmt::format("{}^{}", base, 0.5 * twice);
 }
 
-// "mass length^2/time^2", "1/length".
-std::string text_of_powers(const Dimension& dimension) {
+// "mass length^2/time^2", "1/length"; with the names of a mass, a length and a time.
+std::string text_of_powers(const Dimension& dimension,
+                           const std::array<const char*, 3>& names = {"mass", "length", "time"}) {
     const std::array<std::pair<const char*, int>, 3> powers{
-        {{"mass", dimension.mass}, {"length", dimension.length}, {"time", dimension.time}}};
+        {{names[0], dimension.mass}, {names[1], dimension.length}, {names[2], dimension.time}}};
     std::string over, under;
     int under_count = 0;
     for (const auto& [base, twice] : powers) {
@@ -63,6 +66,18 @@ std::string name_of_unit(const Quantity& quantity) {
     return text_of_powers(quantity.dimension);
 }
 
+std::string si_unit(const Quantity& quantity) {
+    if (quantity.dimension.is_none()) return text_of_number(quantity.kind);
+    if (quantity.kind == Quantity::Kind::temperature) return "K";
+    for (const auto& [unit, name] : {std::pair{quantities::energy, "J"},
+                                     {quantities::force, "N"},
+                                     {quantities::pressure(2), "N/m"},
+                                     {quantities::pressure(3), "Pa"},
+                                     {quantities::energy_current, "W"}})
+        if (unit.dimension == quantity.dimension) return name;
+    return text_of_powers(quantity.dimension, {"kg", "m", "s"});
+}
+
 }  // namespace
 
 namespace quantities {
@@ -70,15 +85,17 @@ namespace {
 
 // Those that come first give numbers with an ambiguous unit their kind.
 constexpr std::array usual{
-    number,      length,   mass,  time,        speed,       momentum,      energy,     pressure(1),
-    pressure(2), force,    rate,  density(1),  pressure(3), density(2),    density(3), content(2),
-    content(3),  per_cent, count, coefficient, overlap,     energy_current};
+    number,      length,   mass,  time,        speed,       momentum,       energy,     pressure(1),
+    pressure(2), force,    rate,  density(1),  pressure(3), density(2),     density(3), content(2),
+    content(3),  per_cent, count, coefficient, overlap,     energy_current, temperature};
 
 }  // namespace
 }  // namespace quantities
 
 std::string unit_text(const Quantity& quantity, UnitSystem units) {
     if (quantity.is_logarithm) return "";
+    if (units == UnitSystem::real) return shown_unit(quantity, units, 1.0).name;
+    if (units == UnitSystem::si) return si_unit(quantity);
     if (units == UnitSystem::reduced_names) return name_of_unit(quantity);
     return quantity.dimension.is_none() ? text_of_number(quantity.kind)
                                         : text_of_powers(quantity.dimension);
@@ -90,7 +107,9 @@ std::optional<Quantity> quantity_with_unit(std::string_view unit, UnitSystem uni
     return found == quantities::usual.end() ? std::nullopt : std::optional(*found);
 }
 
-std::string_view words_of(UnitSystem) {
+std::string_view words_of(UnitSystem units) {
+    if (units == UnitSystem::real) return "real units";
+    if (units == UnitSystem::si) return "SI";
     return "reduced units: a length, a mass and a time of the scene, Boltzmann's constant is 1";
 }
 

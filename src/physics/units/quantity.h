@@ -132,11 +132,14 @@ constexpr Quantity pressure(int dimension) {
 
 /// The units of a scene's numbers, and how they are written.
 enum class UnitSystem : std::uint8_t {
-    reduced,       ///< as powers of a length, a mass and a time: "mass length^2/time^2"
-    reduced_names  ///< by their names: "energy"; of plain numbers empty
+    reduced,        ///< as powers of a length, a mass and a time: "mass length^2/time^2"
+    reduced_names,  ///< by their names: "energy"; of plain numbers empty
+    real,           ///< as people know them, by size (unit_table.h): "nm", "m/s", "K"
+    si              ///< those of the SI: "m", "kg", "J"; numbers without dimension as in `reduced`
 };
 
-/// The text of a quantity's unit: "length/time", "per cent", "1". Empty if it has none.
+/// The text of a quantity's unit: "length/time", "per cent", "1". Empty if it has none. In real
+/// units, that of numbers of about one nanometre, atomic mass unit and picosecond.
 std::string unit_text(const Quantity& quantity, UnitSystem units);
 
 /// The first of the usual quantities that has this unit, so that a temperature in reduced units is

@@ -112,7 +112,8 @@ TEST_CASE("a unit that was written is read back as a quantity of that unit") {
         CHECK(back->dimension == quantity.dimension);
         CHECK(unit_text(*back, units) == unit);
     };
-    for (const UnitSystem units : {UnitSystem::reduced, UnitSystem::reduced_names}) {
+    for (const UnitSystem units :
+         {UnitSystem::reduced, UnitSystem::reduced_names, UnitSystem::si}) {
         for (const Quantity& one :
              {quantities::length, quantities::mass, quantities::time, quantities::speed,
               quantities::momentum, quantities::energy, quantities::temperature, quantities::rate,

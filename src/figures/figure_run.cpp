@@ -245,6 +245,9 @@ FigureRun::FigureRun(const Scene& scene, int threads, const RunsCallbacks& on_pr
     for (const FigureSpec* spec : specs) {
         Parts& its = parts.emplace_back();
         for (const ComparedRun& run : spec->compare) {
+            if (run.scene->units != scene.units)
+                refuse(spec->panel.place, "the runs that it compares have different `units`",
+                       "give all of them `units: real`, or none");
             runs_.push_back(std::make_unique<OneRun>(*run.scene, 0, std::vector<std::string>{},
                                                      end_apart(*spec)));
             its.push_back({runs_.back().get(), &runs_.back()->figures.front()});

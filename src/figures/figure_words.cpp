@@ -48,7 +48,7 @@ ShownTimes times_of(const Figure& figure) {
 
 // "Speed histogram at time 20", "Free path from time 6 to 12".
 std::string kind_and_time(const Scene& scene, const Figure& figure) {
-    const Language language = scene.film.language;
+    const Wording language = wording_of(scene);
     const std::string kind = kind_words(scene, figure);
     const ShownTimes shown = times_of(figure);
     const std::string times = words_of(language, shown);
@@ -127,14 +127,18 @@ std::string caption_of_runs(const Scene& scene, const Figure& figure) {
             particles_counted(language, side.particles, its.gas.box.dimension),
             collisions_counted(language, side.collisions.particle), side.account};
         if (!have_one_time(figure))
-            facts.push_back(say(language, "at time {}", plain_number(language, side.time)));
+            facts.push_back(say(language, "at time {}",
+                                plain_number(wording_of(scene), quantities::time, side.time)));
         runs.push_back(fmt::format("{} ({}{})", side.label,
                                    difference(language, *figure.spec, figure.spec->compare[k]),
                                    fmt::join(facts, ", ")));
     }
-    return fmt::format("{} {}", sentence(scene.title),
-                       say(language, "{}: {}; reduced units.", comparison_words(scene, figure),
-                           listed(language, runs)));
+    return fmt::format(
+        "{} {}", sentence(scene.title),
+        scene.units == UnitSystem::real
+            ? say(language, "{}: {}.", comparison_words(scene, figure), listed(language, runs))
+            : say(language, "{}: {}; reduced units.", comparison_words(scene, figure),
+                  listed(language, runs)));
 }
 
 std::string alt_of_runs(const Scene& scene, const Figure& figure) {
@@ -167,20 +171,26 @@ std::string made_caption(const Scene& scene, const Figure& figure, Eigen::Index 
     const std::string account = account_of(figure);
     const std::string count = particles_counted(language, particles, scene.gas.box.dimension);
     const std::string title = sentence(scene.title);
+    const bool is_real = scene.units == UnitSystem::real;
     if (sweep_of(*figure.spec) != nullptr) return title + " " + account;
     if (figure.spec->panel.seeds > 1) {
         const std::string caption =
-            say(language,
-                "{}: mean of {} independent runs of {} each, with its standard error; reduced "
-                "units.",
-                kind_and_time(scene, figure), figure.spec->panel.seeds, count);
+            is_real ? say(language,
+                          "{}: mean of {} independent runs of {} each, with its standard error.",
+                          kind_and_time(scene, figure), figure.spec->panel.seeds, count)
+                    : say(language,
+                          "{}: mean of {} independent runs of {} each, with its standard error; "
+                          "reduced units.",
+                          kind_and_time(scene, figure), figure.spec->panel.seeds, count);
         return fmt::format("{} {}{}{}", title, caption, account.empty() ? "" : " ", account);
     }
     if (!account.empty() && !is_result_of_run(*figure.panel))
         return fmt::format("{} {} {}", title, sentence(kind_words(scene, figure)), account);
+    const std::string met = collisions_counted(language, figure.moments.back().collisions.particle);
     const std::string facts =
-        say(language, "{}: {}, {} by then; reduced units.", kind_and_time(scene, figure), count,
-            collisions_counted(language, figure.moments.back().collisions.particle));
+        is_real ? say(language, "{}: {}, {} by then.", kind_and_time(scene, figure), count, met)
+                : say(language, "{}: {}, {} by then; reduced units.", kind_and_time(scene, figure),
+                      count, met);
     return fmt::format("{} {}{}{}", title, facts, account.empty() ? "" : " ", account);
 }
 
@@ -216,11 +226,11 @@ std::string made_alt(const FigureRun& run, const Figure& figure) {
 }
 
 // What a figure shows itself, for its own words.
-std::string own_number(const Figure& figure, Language language, const NumberInWords& number) {
+std::string own_number(const Figure& figure, const Wording& wording, const NumberInWords& number) {
     const std::vector<PanelNumber> all = figure.panel->scalars(*figure.moments.back().state);
     const auto found = std::ranges::find(all, number.name, &PanelNumber::name);
     if (found != all.end() && std::isfinite(found->value))
-        return number_words(language, number, found->quantity, found->value);
+        return number_words(wording, number, found->quantity, found->value);
     std::vector<std::string> names;
     for (const PanelNumber& one : all) names.push_back(one.name);
     Diagnostic error = number.place;
@@ -237,7 +247,7 @@ std::string with_numbers(const std::string& words, const FigureRun& run, const F
     return filled(words, [&](std::size_t k) {
         const NumberInWords& number = scene.numbers.at(k);
         return number.reader ? run.number_texts().at(k)
-                             : own_number(figure, scene.film.language, number);
+                             : own_number(figure, wording_of(scene), number);
     });
 }
 
@@ -250,10 +260,10 @@ ShownTimes times_of(const FigureSpec& spec) {
     return {spec.times};
 }
 
-std::string words_of(Language language, const ShownTimes& shown) {
+std::string words_of(const Wording& language, const ShownTimes& shown) {
     const auto number = [&](double time) {
-        return shown.are_of_collisions ? three_digits(language, time)
-                                       : plain_number(language, time);
+        return shown.are_of_collisions ? three_digits(language, quantities::time, time)
+                                       : plain_number(language, quantities::time, time);
     };
     if (shown.over)
         return say(language, "{} to {}", number((*shown.over)[0]), number((*shown.over)[1]));
@@ -306,7 +316,7 @@ FigureWords words_of(const FigureRun& run, const Figure& figure) {
     else
         words.alt = compares ? alt_of_runs(scene, figure) : made_alt(run, figure);
     words.shown = times_of(figure);
-    words.time = words_of(scene.film.language, words.shown);
+    words.time = words_of(wording_of(scene), words.shown);
     return words;
 }
 

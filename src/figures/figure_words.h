@@ -35,7 +35,7 @@ struct FigureWords {
 ShownTimes times_of(const FigureSpec& spec);
 
 /// These times in words.
-std::string words_of(Language language, const ShownTimes& shown);
+std::string words_of(const Wording& language, const ShownTimes& shown);
 
 /// The quantity that a key of a scene sets, in words: "temperature" for "gas.0.temperature.exact",
 /// with the name of the species if there are several.

@@ -16,6 +16,7 @@ const Gas& PanelContext::gas_in_scene() const { return scene.gas; }
 const Film& PanelContext::film() const { return scene.film; }
 const std::vector<SpeciesLook>& PanelContext::looks() const { return scene.looks; }
 Language PanelContext::language() const { return scene.film.language; }
+Wording PanelContext::wording() const { return wording_of(scene); }
 
 void refuse(Diagnostic place, std::string message, std::string hint) {
     place.message = std::move(message);

@@ -17,6 +17,7 @@
 #include "panels/table.h"
 #include "physics/simulation.h"
 #include "physics/theory/law.h"
+#include "physics/units/number_text.h"
 #include "scene/looks.h"
 #include "scene/panel_spec.h"
 #include "scene/time/timeline.h"
@@ -52,6 +53,7 @@ struct PanelContext {
     const Film& film() const;
     const std::vector<SpeciesLook>& looks() const;  ///< one for each species
     Language language() const;                      ///< of the program's texts
+    Wording wording() const;                        ///< the same, and the units of numbers
 };
 
 /// The gas at one moment, and what happened since the moment before: a frame or, in the first pass,

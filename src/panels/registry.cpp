@@ -88,8 +88,10 @@ std::unique_ptr<Panel> make_gas_panel(const PanelContext& context, const FixedVi
 
 std::unique_ptr<Panel> make_panel(const PanelContext& context, const PanelSpec& spec) {
     std::unique_ptr<Panel> panel = kind_of(spec).make(context, spec);
-    if (auto* plot = dynamic_cast<PlotPanel*>(panel.get()))
+    if (auto* plot = dynamic_cast<PlotPanel*>(panel.get())) {
         plot->set_axis_words(spec.x_title, spec.y_title);
+        plot->set_units(context.wording().units);
+    }
     return panel;
 }
 

@@ -1,7 +1,9 @@
 #include "panels/table.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "physics/units/unit_table.h"
 #include "util/csv.h"
 
 namespace carom {
@@ -27,6 +29,31 @@ Heading standard_error_of(const Heading& column) {
     return error;
 }
 
+Table in_shown_units(Table table) {
+    if (table.units != UnitSystem::real) return table;
+    for (std::size_t k = 0; k < table.columns.size(); ++k) {
+        Heading& column = table.columns[k];
+        if (!column.quantity) continue;
+        double largest = 0.0;
+        for (const std::vector<TableCell>& row : table.rows)
+            if (const double* value = std::get_if<double>(&row[k]); value && std::isfinite(*value))
+                largest = std::max(largest, std::abs(*value));
+            else if (const float* single = std::get_if<float>(&row[k]);
+                     single && std::isfinite(*single))
+                largest = std::max(largest, std::abs(static_cast<double>(*single)));
+        const ShownUnit unit = shown_unit(*column.quantity, table.units, largest);
+        for (std::vector<TableCell>& row : table.rows)
+            if (double* value = std::get_if<double>(&row[k]))
+                *value *= unit.factor;
+            else if (const float* single = std::get_if<float>(&row[k]))
+                row[k] = unit.factor * static_cast<double>(*single);
+        if (!unit.name.empty()) column.name += " (" + unit.name + ")";
+        column.quantity.reset();
+    }
+    table.units = UnitSystem::reduced;
+    return table;
+}
+
 std::vector<std::string> column_names(const Table& table) {
     std::vector<std::string> names;
     for (const Heading& column : table.columns) {
@@ -36,7 +63,8 @@ std::vector<std::string> column_names(const Table& table) {
     return names;
 }
 
-std::string csv(const Table& table) {
+std::string csv(const Table& as_it_is) {
+    const Table table = in_shown_units(as_it_is);
     std::string text;
     const auto end_field = [&](bool is_last) { text += is_last ? '\n' : ','; };
     const std::vector<std::string> names = column_names(table);

@@ -39,6 +39,10 @@ struct Table {
     UnitSystem units = UnitSystem::reduced;         ///< of the numbers
 };
 
+/// The table with real units replaced: each column in the unit of its largest number, which its
+/// name has. Others stay as they are.
+Table in_shown_units(Table table);
+
 /// The headings as they are written: "speed (length/time)".
 std::vector<std::string> column_names(const Table& table);
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <string>
 
+#include "physics/units/unit_table.h"
+
 namespace carom {
 
 Json to_json(const RunNumber& number) {
@@ -17,7 +19,12 @@ RunNumber run_number_from(const Json& json) {
 }
 
 void to_json(Json& json, const Amount& amount) {
-    json = amount.value && std::isfinite(*amount.value) ? Json(*amount.value) : Json(nullptr);
+    if (!amount.value || !std::isfinite(*amount.value))
+        json = nullptr;
+    else if (amount.units == UnitSystem::real)
+        json = in_si(*amount.value, amount.quantity);
+    else
+        json = *amount.value;
 }
 
 }  // namespace carom

@@ -20,9 +20,10 @@ RunNumber run_number_from(const Json& json);
 struct Amount {
     std::optional<double> value;
     Quantity quantity;
+    UnitSystem units = UnitSystem::reduced;  ///< of the value
 };
 
-/// As JSON the value in the units of the scene; null if there is none, or it is not finite.
+/// As JSON the value, of real units in the SI; null if there is none, or it is not finite.
 void to_json(Json& json, const Amount& amount);
 
 }  // namespace carom

@@ -173,7 +173,8 @@ class PhysicsRun {
   public:
     PhysicsRun(StartedScene& started, const Stopwatch& watch, const RunTakers& take,
                const RunCallbacks& on_progress)
-        : run_(started.scene.run),
+        : units_(started.scene.units),
+          run_(started.scene.run),
           simulation_(std::move(started.simulation)),
           statistics_(simulation_.box(), simulation_.particles(),
                       static_cast<int>(started.scene.gas.species.size()), sample_count(run_)),
@@ -229,6 +230,7 @@ class PhysicsRun {
         }
         if (meters_) report.readings = meters_->readings();
         report.state = fingerprint_of(simulation_);
+        report.units = units_;
         return report;
     }
 
@@ -382,6 +384,7 @@ class PhysicsRun {
     }
 
     RunSeconds seconds_;
+    UnitSystem units_;
     Run run_;
     Simulation simulation_;
     RunStatistics statistics_;

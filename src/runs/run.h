@@ -61,6 +61,7 @@ struct RunReport {
     std::optional<EnergyAccount> account = {};  ///< only if there are surfaces, or heat was added
     std::vector<LastReading> readings = {};     ///< of the scene's instruments (Scene::measure)
     std::string state = {};  ///< fingerprint of all bits of the final positions and velocities
+    UnitSystem units = UnitSystem::reduced;  ///< of its numbers: those of the scene
 };
 
 /// The number of all events: collisions between particles and with walls.

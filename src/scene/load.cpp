@@ -10,6 +10,7 @@
 #include "scene/feasibility/classroom.h"
 #include "scene/feasibility/feasibility.h"
 #include "scene/keys/check.h"
+#include "scene/keys/unit_conversion.h"
 #include "scene/left_out.h"
 #include "scene/numbers/known_numbers.h"
 #include "scene/other_runs.h"
@@ -162,7 +163,7 @@ Scene read_scene(const SceneTree& tree, const SceneResources& resources, Wanted 
                  Errors& errors) {
     SceneDraft draft;
     draft.gas.box.dimension = tree.dimension;  // known even where the box has mistakes
-    Reading reading{errors, draft.gas, draft.run, draft.numbers};
+    Reading reading{errors, draft.gas, draft.run, draft.numbers, units_of(tree.root)};
     scene_table(resources.panels, tree.dimension).read(tree.root, draft, reading);
     complete_physics(draft, tree.root, errors);
     const bool has_film = find(tree.root, "film") != nullptr;
@@ -179,6 +180,10 @@ Scene read_scene(const SceneTree& tree, const SceneResources& resources, Wanted 
     if (draft.measure_node != nullptr)
         draft.measure =
             measure_notation(resources.panels).read(*draft.measure_node, reading).value();
+    if (wanted == Wanted::film && reading.units == UnitSystem::real && errors.empty())
+        errors.add(*find(tree.root, "units"),
+                   "films do not show the units of a scene with `units: real`",
+                   "figures do: `carom figures`; `carom run` gives all numbers");
     errors.throw_if_any();
     if (auto wrong = find_instruments(draft, resources.panels); !wrong.empty())
         throw SceneError(std::move(wrong));
@@ -269,13 +274,15 @@ Scene load_once(Source file, const LoadRequest& request) {
                    how_to_start);
         errors.throw_if_any();
     }
+    tree.dimension = dimension_of(tree.root);
+    if (units_of(tree.root) == UnitSystem::real)
+        convert_units(tree.root, scene_table(resources.panels, tree.dimension).section(), errors);
     if (wanted == Wanted::run) keep_run(tree.root);
     const Removed removed = remove_items(tree.root, left_out);
     keep_part(tree.root, part);
     leave_out_later(tree.root, removed, wanted == Wanted::run ? nullptr : &errors);
     refuse_newer_format(tree.root);
     refuse_figure_set(tree.root);
-    tree.dimension = dimension_of(tree.root);
     check_mapping(tree.root, scene_table(resources.panels, tree.dimension).section(), errors);
     read_named_files(tree, path, resources, wanted, sources, errors);
     Scene scene = read_scene(tree, resources, wanted, errors);

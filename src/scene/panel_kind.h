@@ -98,6 +98,10 @@ struct PanelKind {
     /// The numbers of its meter for which words of a scene may ask.
     std::vector<AskedNumber> asked = {};
 
+    /// Whether it shows numbers with their units in scenes with real units; others are refused
+    /// there.
+    bool shows_units = false;
+
     /// The names of the numbers that Panel::scalars() gives, for which words of a figure may ask.
     std::vector<std::string> numbers = {};
 

@@ -10,6 +10,7 @@
 
 #include "physics/gas.h"
 #include "physics/run.h"
+#include "physics/units/number_text.h"
 #include "scene/figure_spec.h"
 #include "scene/file_texts.h"
 #include "scene/film.h"
@@ -58,6 +59,9 @@ struct Scene {
     std::string subtitle;
     std::string description;
     std::uint64_t seed = 1;  ///< equal to gas.seed
+    /// Reduced, or real: then lengths are in nanometres, masses in atomic mass units, times in
+    /// picoseconds and temperatures in units of 1 u nm2/ps2 / k, and are shown with their units.
+    UnitSystem units = UnitSystem::reduced;
     Gas gas;
     std::vector<SpeciesLook> looks;  ///< one for each species
     Run run;
@@ -81,6 +85,9 @@ struct Scene {
     std::vector<Diagnostic> species_spans;  ///< one for each species: its place in the file with an
                                             ///< empty message, for errors found later
 };
+
+/// How the numbers in its pictures and texts are written.
+inline Wording wording_of(const Scene& scene) { return {scene.film.language, scene.units}; }
 
 /// The scenes of the runs that the film of a scene shows, in the order of FilmRuns.
 inline std::vector<const Scene*> scenes_of_film(const Scene& scene) {

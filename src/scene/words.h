@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "physics/box.h"
+#include "physics/units/quantity.h"
 #include "scene/looks.h"
 #include "scene/panel_spec.h"
 #include "util/language.h"
@@ -23,6 +24,10 @@ struct EnumWord {
 /// has no word: it is the default, which is never written.
 template <typename E>
 inline constexpr std::array<EnumWord<E>, 0> enum_words{};
+
+template <>
+inline constexpr auto enum_words<UnitSystem> = std::to_array<EnumWord<UnitSystem>>(
+    {{UnitSystem::reduced, "reduced"}, {UnitSystem::real, "real"}});
 
 template <>
 inline constexpr auto enum_words<Wall> =

@@ -164,6 +164,11 @@ bool plan_sweep(SweepRequest request, const fs::path& folder, bool again, Progre
     resources.is_classroom = request.is_classroom;
     resources.is_strict = request.is_strict;
     const Scene scene = load_scene(request.scene, resources, request.overrides, Wanted::physics);
+    if (scene.units == UnitSystem::real)
+        throw UsageError(
+            fmt::format("{}: sweeps of scenes with `units: real` are not planned; carom "
+                        "check gives the numbers of the same scene in reduced units",
+                        request.scene));
     if (request.is_seed_of_scene) request.sweep.seeds = {scene.seed, scene.seed};
     const Json its = request_to_json(request, scene);
     if (!again && is_planned(folder, its)) return false;

@@ -1,6 +1,7 @@
 #include "app/check/check_facts.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -38,13 +39,16 @@ std::string_view side_word(const Box& box, std::size_t side) {
         box.surfaces.sides[side]);
 }
 
-Fact box_fact(const Box& box) {
+Fact box_fact(const Box& box, UnitSystem units) {
     const bool across = box.is_periodic(0), up = box.is_periodic(1);
-    const auto length = [&](int axis) { return Amount{box.size[axis], quantities::length}; };
+    const auto length = [&](int axis) { return Amount{box.size[axis], quantities::length, units}; };
+    const auto words_of_length = [&](int axis) {
+        return number_words(units, quantities::length, box.size[axis]);
+    };
     Json walls{{"left", side_word(box, 0)}, {"right", side_word(box, 1)}};
     if (box.dimension == 1)
         return {"box", Json{{"length", length(0)}, {"walls", walls}}, "box",
-                fmt::format("{}, length {}, {}", words_of_dimension(1), box.size[0],
+                fmt::format("{}, length {}, {}", words_of_dimension(1), words_of_length(0),
                             across ? "ends joined" : "between walls")};
     walls["bottom"] = side_word(box, 2);
     walls["top"] = side_word(box, 3);
@@ -62,16 +66,16 @@ Fact box_fact(const Box& box) {
         return {"box",
                 Json{{"size", Json::array({length(0), length(1), length(2)})}, {"walls", walls}},
                 "box",
-                fmt::format("{}, {} by {} by {}, {}", words_of_dimension(3), box.size[0],
-                            box.size[1], box.size[2], words)};
+                fmt::format("{}, {} by {} by {}, {}", words_of_dimension(3), words_of_length(0),
+                            words_of_length(1), words_of_length(2), words)};
     }
     std::string words = across ? "periodic" : walls_act ? "walls that act" : "solid walls";
     if (across != up)
         words = across ? "periodic across, solid below and above"
                        : "periodic up and down, solid left and right";
-    return {
-        "box", Json{{"size", Json::array({length(0), length(1)})}, {"walls", walls}}, "box",
-        fmt::format("{}, {} by {}, {}", words_of_dimension(2), box.size[0], box.size[1], words)};
+    return {"box", Json{{"size", Json::array({length(0), length(1)})}, {"walls", walls}}, "box",
+            fmt::format("{}, {} by {}, {}", words_of_dimension(2), words_of_length(0),
+                        words_of_length(1), words)};
 }
 
 std::string species_words(const Gas& gas, std::int64_t particles) {
@@ -107,9 +111,10 @@ Fact collisions(const Scene& scene, const Law& rate, double expected, std::int64
                         about(2.0 * expected / std::max(1.0, static_cast<double>(particles))))};
 }
 
-std::string run_words(const Run& run) {
-    std::string text = fmt::format("time 0 to {}", run.until);
-    if (run.equilibrate > 0.0) text += fmt::format(", after {} not shown", run.equilibrate);
+std::string run_words(const Run& run, UnitSystem units) {
+    const auto time = [&](double value) { return number_words(units, quantities::time, value); };
+    std::string text = fmt::format("time 0 to {}", time(run.until));
+    if (run.equilibrate > 0.0) text += fmt::format(", after {} not shown", time(run.equilibrate));
     if (!run.events.empty())
         text += ", " + counted(static_cast<long long>(run.events.size()), "event");
     return text;
@@ -123,9 +128,34 @@ Facts rest_rows(const BoxedGas& gas) {
              "all particles are at rest, and nothing moves them: give `temperature` or `speed`"}};
 }
 
+// The numbers that a scene in reduced units needs for the same run.
+Facts unit_rows(const Scene& scene) {
+    if (scene.units != UnitSystem::real) return {};
+    std::vector<std::string> lengths;
+    for (int axis = 0; axis < scene.gas.box.dimension; ++axis)
+        lengths.push_back(fmt::format("{}", scene.gas.box.size[axis]));
+    std::vector<std::string> lines{fmt::format("box {}", fmt::join(lengths, ", "))};
+    for (const Species& one : scene.gas.species) {
+        const auto add = [&](const char* key, const auto* value) {
+            if (value != nullptr) lines.push_back(fmt::format("{}: {} {}", one.name, key, *value));
+        };
+        add("radius", std::get_if<double>(&one.radius));
+        if (const auto* mass = std::get_if<ValueRule>(&one.mass))
+            add("mass", std::get_if<double>(mass));
+        if (const auto* temperature = std::get_if<Temperature>(&one.velocity))
+            add("temperature", &temperature->value);
+        if (const auto* speed = std::get_if<Speed>(&one.velocity))
+            add("speed", std::get_if<double>(&speed->value));
+    }
+    lines.push_back(fmt::format("until {}", scene.run.until));
+    Facts rows = rows_of("reduced", "in nm, u, ps", lines);
+    rows.insert(rows.begin(), {"units", std::string(words_of(UnitSystem::si))});
+    return rows;
+}
+
 Facts event_rows(const Scene& scene) {
     std::vector<std::string> lines;
-    for (const Happening& one : happenings(Language::english, scene.run, scene.gas))
+    for (const Happening& one : happenings({Language::english, scene.units}, scene.run, scene.gas))
         lines.push_back(one.when + ": " + one.words);
     return rows_of("events", "events", lines);
 }
@@ -199,19 +229,21 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film, const
           {"description", scene.description},
           {"language", word_of(scene.film.language)},
           {"made_from", made_from(scene.source)},
-          {"seed", scene.seed},
-          {"dimension", box.dimension},
-          box_fact(box)},
-         rows_of("surfaces", "surfaces", words_of_surfaces(Language::english, scene.gas)),
+          {"seed", scene.seed}},
+         unit_rows(scene),
+         {{"dimension", box.dimension}, box_fact(box, scene.units)},
+         rows_of("surfaces", "surfaces",
+                 words_of_surfaces({Language::english, scene.units}, scene.gas)),
          {{"particles", particles}, species(scene.gas, particles)},
-         rows_of("cut_distributions", "drawn", cut_distributions(scene.gas)),
+         rows_of("cut_distributions", "drawn", cut_distributions(scene.gas, scene.units)),
          {{"packing_fraction", Amount{packing, quantities::share}, "packing",
            fmt::format("{:.4g} of the {}", packing,
                        std::array{"length", "area", "volume"}.at(
                            static_cast<std::size_t>(box.dimension - 1)))},
-          {"time", Amount{run.until, quantities::time}, "run", run_words(run)}},
+          {"time", Amount{run.until, quantities::time, scene.units}, "run",
+           run_words(run, scene.units)}},
          event_rows(scene),
-         {{"equilibrate", Amount{run.equilibrate, quantities::time}},
+         {{"equilibrate", Amount{run.equilibrate, quantities::time, scene.units}},
           collisions(scene, of_each, rate * run.until, particles),
           ties_fact(counts.ties, counts.is_cut)},
          rest_rows(boxed),

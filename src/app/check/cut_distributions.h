@@ -12,6 +12,6 @@ struct Gas;
 
 /// The normal distributions of a gas of which more than 1 % is below 0, in order of its species: of
 /// whom, and what is drawn instead.
-std::vector<ListItem> cut_distributions(const Gas& gas);
+std::vector<ListItem> cut_distributions(const Gas& gas, UnitSystem units);
 
 }  // namespace carom

@@ -13,12 +13,12 @@ namespace carom {
 namespace {
 
 // " at time 4", " over time 6 to 12".
-std::string words_of_time(const FigureSpec& spec) {
+std::string words_of_time(const FigureSpec& spec, UnitSystem units) {
     const PanelKind& kind = kind_of(spec.panel);
     if (kind.has_own_time && kind.has_own_time(spec.panel)) return "";
     const ShownTimes shown = times_of(spec);
     return fmt::format(" {} time {}", shown.over ? "over" : "at",
-                       words_of(Language::english, shown));
+                       words_of({Language::english, units}, shown));
 }
 
 // "speeds: speed-histogram at time 4, 8.9 by 6.2 cm".
@@ -27,14 +27,15 @@ std::string figure_words(const Scene& scene, const FigureSpec& spec) {
     const std::string kind =
         spec.compare.empty() ? spec.panel.kind
                              : fmt::format("{} of {} runs", spec.panel.kind, spec.compare.size());
-    return fmt::format("{}: {}{}, {:.3g} by {:.3g} cm", spec.name, kind, words_of_time(spec), width,
-                       height);
+    return fmt::format("{}: {}{}, {:.3g} by {:.3g} cm", spec.name, kind,
+                       words_of_time(spec, scene.units), width, height);
 }
 
 Json figure_value(const Scene& scene, const FigureSpec& spec) {
     const auto [width, height] = figure_size(scene, spec);
     Json times = Json::array();
-    for (const double time : spec.times) times.push_back(Amount{time, quantities::time});
+    for (const double time : spec.times)
+        times.push_back(Amount{time, quantities::time, scene.units});
     Json fields{{"name", spec.name},
                 {"kind", spec.panel.kind},
                 {"times", std::move(times)},

@@ -112,19 +112,19 @@ struct TableOutput {
 
     // Opens the output before the work, in case it cannot be written.
     template <typename Subject>
-    TableOutput(const std::string& path, const Subject& subject) {
-        if (!path.empty()) table.emplace(subject, output.emplace(path));
+    TableOutput(const std::string& path, const Subject& subject, UnitSystem units) {
+        if (!path.empty()) table.emplace(subject, output.emplace(path), units);
     }
 };
 
 // The outputs of a run, which appear together or not at all.
 class RunOutputs {
   public:
-    RunOutputs(const RunArguments& arguments, const Gas& gas)
-        : samples_(arguments.csv, gas),
-          surfaces_(arguments.surfaces, gas.box),
-          trajectory_(arguments.xyz, gas),
-          collisions_(arguments.events, gas.box) {
+    RunOutputs(const RunArguments& arguments, const Gas& gas, UnitSystem units)
+        : samples_(arguments.csv, gas, units),
+          surfaces_(arguments.surfaces, gas.box, units),
+          trajectory_(arguments.xyz, gas, units),
+          collisions_(arguments.events, gas.box, units) {
         if (!arguments.json.empty()) json_.emplace(arguments.json);
         if (!arguments.depfile.empty()) depfile_.emplace(arguments.depfile);
     }
@@ -258,7 +258,7 @@ void run_scene(const RunArguments& arguments) {
     if (arguments.is_classroom)
         refuse_much_work(work_of_run(scene, counts_of(scene), tables_of(arguments)), scene.source);
     const std::string depfile = depfile_of(arguments, scene);
-    RunOutputs outputs(arguments, scene.gas);
+    RunOutputs outputs(arguments, scene.gas, scene.units);
     Progress progress(Progress::fitting_form(arguments.quiet), scene_stem(arguments.scene));
     RunReport report;
     try {

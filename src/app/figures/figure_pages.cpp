@@ -12,6 +12,7 @@
 #include "figures/page_style.h"
 #include "media/base64.h"
 #include "media/formats.h"
+#include "physics/units/unit_table.h"
 #include "runs/json.h"
 #include "runs/own_files.h"
 #include "scene/limits.h"
@@ -111,6 +112,7 @@ Json figure_json(const SetFigure& figure) {
               {"overrides", scene.source.overrides},
               {"times", figure.words.shown.times}};
     if (figure.words.shown.over) json["over"] = *figure.words.shown.over;
+    if (scene.units == UnitSystem::real) json["time_unit"] = unit_of_calculation(quantities::time);
     for (const ComparedRun& run : spec.compare)
         json["runs"].push_back(
             {{"label", run.label},

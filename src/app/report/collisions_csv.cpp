@@ -15,7 +15,7 @@
 namespace carom {
 namespace {
 
-std::string header(int dimension) {
+std::string header(int dimension, UnitSystem units) {
     std::vector<Heading> columns{quantities::time, "particle", "partner", "surface"};
     for (const std::string whose : {"", "partner_"})
         add_components(columns, whose, quantities::length, dimension);
@@ -23,15 +23,15 @@ std::string header(int dimension) {
         for (const std::string whose : {"", "partner_"})
             add_components(columns, whose + "v", quantities::velocity, dimension, when);
     add_components(columns, "impulse_", quantities::momentum, dimension);
-    return csv_header(columns);
+    return csv_header(columns, units);
 }
 
 }  // namespace
 
-CollisionsCsv::CollisionsCsv(const Box& box, Output& output)
+CollisionsCsv::CollisionsCsv(const Box& box, Output& output, UnitSystem units)
     : dimension_(box.dimension), rows_(output) {
     for (const std::string& name : box.surfaces.names()) surfaces_.push_back(csv_field(name));
-    output.write(header(dimension_));
+    output.write(header(dimension_, units));
 }
 
 void CollisionsCsv::add(const Vec& value) {

@@ -10,6 +10,7 @@
 #include "physics/advance_result.h"
 #include "physics/box.h"
 #include "physics/particles.h"
+#include "physics/units/quantity.h"
 
 namespace carom {
 
@@ -22,7 +23,7 @@ namespace carom {
 class CollisionsCsv {
   public:
     /// Writes the header to `output`, which must outlive the object.
-    CollisionsCsv(const Box& box, Output& output);
+    CollisionsCsv(const Box& box, Output& output, UnitSystem units = UnitSystem::reduced);
 
     /// Adds collisions; all are of the same particles. Throws SystemError.
     void add(const Particles& particles, std::span<const Collision> collisions);

@@ -5,13 +5,19 @@
 #include <vector>
 
 #include "panels/table.h"
+#include "physics/units/unit_table.h"
 
 namespace carom {
 
-/// The names of the columns, without units: those of reduced units would say nothing here.
-inline std::string csv_header(const std::vector<Heading>& columns) {
+/// The names of the columns. Reduced units would say nothing here; real ones are those in which the
+/// run is calculated, so that its numbers have all their digits: "x (nm)".
+inline std::string csv_header(const std::vector<Heading>& columns, UnitSystem units) {
     std::string line;
-    for (const Heading& column : columns) line += (line.empty() ? "" : ",") + column.name;
+    for (const Heading& column : columns) {
+        line += (line.empty() ? "" : ",") + column.name;
+        if (units == UnitSystem::real && column.quantity && !column.quantity->dimension.is_none())
+            line += " (" + unit_of_calculation(*column.quantity) + ")";
+    }
     return line + "\n";
 }
 

@@ -12,13 +12,13 @@
 
 namespace carom {
 
-SamplesCsv::SamplesCsv(const Gas& gas, Output& output) : rows_(output) {
+SamplesCsv::SamplesCsv(const Gas& gas, Output& output, UnitSystem units) : rows_(output) {
     for (const Species& species : gas.species) species_.push_back(csv_field(species.name));
     std::vector<Heading> columns{
         quantities::time, "particle", "species", quantities::mass, {"radius", quantities::length}};
     add_components(columns, "", quantities::length, gas.box.dimension);
     add_components(columns, "v", quantities::velocity, gas.box.dimension);
-    output.write(csv_header(columns));
+    output.write(csv_header(columns, units));
 }
 
 void SamplesCsv::name_rows(const Particles& particles, const Sample& sample) {

@@ -7,6 +7,7 @@
 #include "app/output.h"
 #include "app/report/row_buffer.h"
 #include "physics/membership.h"
+#include "physics/units/quantity.h"
 
 namespace carom {
 
@@ -18,7 +19,7 @@ struct Gas;
 class SamplesCsv {
   public:
     /// Writes the header to `output`, which must outlive the object.
-    SamplesCsv(const Gas& gas, Output& output);
+    SamplesCsv(const Gas& gas, Output& output, UnitSystem units = UnitSystem::reduced);
 
     /// Adds the rows of a sample; all samples are of the same particles. Throws SystemError.
     void add(const Particles& particles, const Sample& sample);

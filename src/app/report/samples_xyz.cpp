@@ -52,7 +52,7 @@ std::string periodic_sides(const Box& box) {
 
 }  // namespace
 
-SamplesXyz::SamplesXyz(const Gas& gas, Output& output) : rows_(output) {
+SamplesXyz::SamplesXyz(const Gas& gas, Output& output, UnitSystem units) : rows_(output) {
     before_time_ = lattice_of(gas.box) +
                    " Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:mass:R:1:id:I:1 Time=";
     after_time_ = " " + periodic_sides(gas.box) + " species_names=\"";
@@ -61,7 +61,7 @@ SamplesXyz::SamplesXyz(const Gas& gas, Output& output) : rows_(output) {
         after_time_ +=
             fmt::format("{}{}: {}", k > 0 ? "; " : "", begins_.back(), plain(gas.species[k].name));
     }
-    after_time_ += "\"\n";
+    after_time_ += units == UnitSystem::real ? "\" units=\"nm ps u\"\n" : "\"\n";
 }
 
 void SamplesXyz::name_lines(const Particles& particles) {

@@ -7,6 +7,7 @@
 #include "app/output.h"
 #include "app/report/row_buffer.h"
 #include "physics/particles.h"
+#include "physics/units/quantity.h"
 
 namespace carom {
 
@@ -21,7 +22,7 @@ struct Gas;
 class SamplesXyz {
   public:
     /// `output` must outlive it.
-    SamplesXyz(const Gas& gas, Output& output);
+    SamplesXyz(const Gas& gas, Output& output, UnitSystem units = UnitSystem::reduced);
 
     /// Adds a sample; all are of the same particles. Throws SystemError.
     void add(const Particles& particles, const Sample& sample);

@@ -9,7 +9,7 @@
 
 namespace carom {
 
-SurfacesCsv::SurfacesCsv(const Box& box, Output& output)
+SurfacesCsv::SurfacesCsv(const Box& box, Output& output, UnitSystem units)
     : components_(std::max(2, box.dimension)), output_(output) {
     const std::vector<std::string> names = box.surfaces.names();
     for (std::size_t k = 0; k < names.size(); ++k)
@@ -22,7 +22,7 @@ SurfacesCsv::SurfacesCsv(const Box& box, Output& output)
     add_components(columns, "impulse_", quantities::momentum, components_);
     columns.emplace_back("work", quantities::energy);
     columns.emplace_back("heat", quantities::energy);
-    output_.write(csv_header(columns));
+    output_.write(csv_header(columns, units));
 }
 
 void SurfacesCsv::add(double time, const std::vector<SurfaceState>& surfaces) {

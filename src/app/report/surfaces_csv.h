@@ -7,6 +7,7 @@
 #include "app/output.h"
 #include "physics/box.h"
 #include "physics/surface.h"
+#include "physics/units/quantity.h"
 
 namespace carom {
 
@@ -17,7 +18,7 @@ namespace carom {
 class SurfacesCsv {
   public:
     /// Writes the header to `output`, which must outlive the object.
-    SurfacesCsv(const Box& box, Output& output);
+    SurfacesCsv(const Box& box, Output& output, UnitSystem units = UnitSystem::reduced);
 
     /// Adds the rows of a sample. Throws SystemError.
     void add(double time, const std::vector<SurfaceState>& surfaces);

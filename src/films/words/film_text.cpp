@@ -99,11 +99,11 @@ std::vector<Moment> moments_of(const Scene& scene, const FrameSpan& span,
     };
     for (const RunEvent& event : scene.run.events)
         if (const auto* moved = perturbation_of(event))
-            add(event.at, words_of(scene.film.language, *moved));
+            add(event.at, words_of(wording_of(scene), *moved));
     const std::vector<int> pauses = pause_frames(scene.film);
     for (std::size_t k = 0; k < pauses.size(); ++k)
         add(scene.film.pauses[k].at, words_of_pause(scene.film, scene.film.pauses[k], pauses[k]));
-    for (const Happening& one : happenings(scene.film.language, scene.run, scene.gas))
+    for (const Happening& one : happenings(wording_of(scene), scene.run, scene.gas))
         add(one.at, one.words);
     const auto card = std::ranges::find(ticks, Phase::end_card, &Tick::phase);
     if (card != ticks.end() && card->frame < span.end)
@@ -195,7 +195,7 @@ std::string picture_text(const Scene& scene, bool has_sound) {
             say(language,
                 "Each collision is heard as a click, higher in pitch where the impulse is larger.");
     const bool is_described = scene.description == describe(scene);
-    for (const std::string& words : words_of_surfaces(language, scene.gas))
+    for (const std::string& words : words_of_surfaces(wording_of(scene), scene.gas))
         if (!is_described) text += " " + words + ".";
     return text;
 }

@@ -42,7 +42,8 @@ void check_given(const Node& node, Errors& errors) {
 
 std::vector<Binding<CollisionMapOptions>> collision_map_keys() {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const auto mass = either(number(positive), one_of<double>({{"infinite", infinity}}));
+    const auto mass =
+        either(number(positive, quantities::mass), one_of<double>({{"infinite", infinity}}));
     const auto fill_masses = [](CollisionMapOptions& options, const std::vector<double>& masses) {
         given_pair(options).inverse_mass = {1.0 / masses.at(0), 1.0 / masses.at(1)};
     };
@@ -54,9 +55,10 @@ std::vector<Binding<CollisionMapOptions>> collision_map_keys() {
                                        "The masses of a pair that need not be in the scene, with "
                                        "`velocities`; one mass may be `infinite`.")
             .default_text("those of the pair in the scene"),
-        bind_with<CollisionMapOptions>("velocities", fill_velocities,
-                                       pair_of(any_number, "[velocity, velocity]"),
-                                       "The velocities before the collision of the given `masses`.")
+        bind_with<CollisionMapOptions>(
+            "velocities", fill_velocities,
+            pair_of(number(any_number, quantities::speed), "[velocity, velocity]"),
+            "The velocities before the collision of the given `masses`.")
             .default_text("those of the pair in the scene"),
         bind_key("walk", &CollisionMapOptions::walk, flag(),
                  "All collisions of the pair so far, with each other and with walls, as a walk "

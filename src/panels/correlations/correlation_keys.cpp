@@ -10,7 +10,7 @@ constexpr double usual_share = 0.1;  // of the measured time: the longest lag, u
 }  // namespace
 
 Binding<double> from_key() {
-    return bind_value("from", number(not_negative),
+    return bind_value("from", number(not_negative, quantities::time),
                       "The simulated time from which displacements are measured, or velocities "
                       "compared.");
 }
@@ -18,7 +18,7 @@ Binding<double> from_key() {
 Binding<std::optional<double>> lags_key() {
     return bind_with<std::optional<double>>(
                "lags", [](std::optional<double>& lags, double longest) { lags = longest; },
-               number(positive),
+               number(positive, quantities::time),
                "The longest time lag, between two velocities or, with `origins: all`, two "
                "positions.")
         .default_text("a tenth of the time from `from` to the end; a quarter for displacements");

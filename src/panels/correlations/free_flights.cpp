@@ -304,7 +304,7 @@ CurveSubject free_flights(const PanelContext& context, const PanelSpec& spec, Fl
     };
     name_curves(subject, context, spec,
                 is_path ? say(language, "Free paths") : say(language, "Free-flight times"),
-                time_words(language, timed));
+                time_words(context.wording(), timed));
     subject.along = is_path ? quantities::length.named(Phrase{"free path"})
                             : quantities::time.named(Phrase{"free time"});
     subject.up = quantities::per_cent;

@@ -117,7 +117,7 @@ std::vector<Binding<DisplacementOptions>> displacement_keys() {
                  "Displacements since `from`, or their mean over all starting times from then on, "
                  "against the time lag."),
         bind_within(&DisplacementOptions::lags, lags_key()),
-        bind_key("fit_from", &DisplacementOptions::fit_from, number(not_negative),
+        bind_key("fit_from", &DisplacementOptions::fit_from, number(not_negative, quantities::time),
                  "The time from which the line 2 d D t is fitted; D is the diffusion "
                  "coefficient. With `origins: all`, the time lag.")
             .default_text("half-way from `from` to the end; with `origins: all`, half of `lags`")};

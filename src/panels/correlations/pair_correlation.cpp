@@ -24,7 +24,8 @@ constexpr double usual_diameters = 5.0;  // up to where g(r) is shown
 constexpr double rings_along = 100.0;    // about
 
 std::vector<Binding<PairCorrelationOptions>> pair_correlation_keys() {
-    return {bind_key("to", &PairCorrelationOptions::to, number(positive), "The largest distance.")
+    return {bind_key("to", &PairCorrelationOptions::to, number(positive, quantities::length),
+                     "The largest distance.")
                 .default_text("five diameters, or less in a smaller box; for points half of the "
                               "largest distance")};
 }
@@ -164,7 +165,7 @@ std::unique_ptr<Panel> make_pair_correlation(const PanelContext& context, const 
         return std::make_unique<PairMeter>(context, chosen, wanted);
     };
     const std::string what = say(language, "Pair correlation") + " <i>g</i>(<i>r</i>)";
-    name_curves(subject, context, spec, what, time_words(language, timed));
+    name_curves(subject, context, spec, what, time_words(context.wording(), timed));
     if (chosen.size() > 1) {  // one curve, of pairs
         subject.lines = {{subject.lines[0].column + " and " + subject.lines[1].column,
                           "",
@@ -175,14 +176,16 @@ std::unique_ptr<Panel> make_pair_correlation(const PanelContext& context, const 
     subject.up = quantities::number.named(Phrase{"pair correlation"});
     subject.reach = rings.to;
     subject.level = 1.0;
-    subject.account = [language](const CurveValues& values, std::size_t) -> std::string {
+    subject.account = [wording = context.wording()](const CurveValues& values,
+                                                    std::size_t) -> std::string {
         const std::vector<double>& g = values.y.front();
         const auto highest = std::ranges::max_element(g);
         if (highest == g.end() || !(*highest > 0.0)) return "";
         const double ring = values.reach() / static_cast<double>(g.size()),
                      at = (static_cast<double>(highest - g.begin()) + 0.5) * ring;
-        return say(language, "the pair correlation is highest, {}, at a distance of {}",
-                   three_digits(language, *highest), three_digits(language, at));
+        return say(wording, "the pair correlation is highest, {}, at a distance of {}",
+                   three_digits(wording.language, *highest),
+                   three_digits(wording, quantities::distance, at));
     };
     const Law contact = law(context.gas, LawOf::contact);
     if (spec.theory && contact) {
@@ -208,6 +211,7 @@ PanelKind pair_correlation_kind() {
                 "or that of Carnahan and Starling for equal spheres.",
             .make = make_pair_correlation,
             .abilities = {of, over, theory, means, comparison},
+            .shows_units = true,
             .tried_as = {"rdf"},
             .keys = option_keys(pair_correlation_keys()),
             .rule = check_pair_correlation,

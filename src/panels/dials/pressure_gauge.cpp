@@ -57,7 +57,7 @@ std::unique_ptr<Panel> make_pressure_gauge(const PanelContext& context, const Pa
     const bool is_one = named.empty();
     DialSubject subject{
         {.title = say(language, "Pressure"), .quantity = quantities::pressure(box.dimension)}};
-    subject.note = words_of_window(language, over, Phrase{"mean since the last sample"});
+    subject.note = words_of_window(context.wording(), over, Phrase{"mean since the last sample"});
     subject.part = "gauge";
     subject.enough = 11.0;
     subject.read = [meter = SurfacePressures(box, surfaces, over), is_one,

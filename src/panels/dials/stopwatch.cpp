@@ -60,9 +60,9 @@ std::string words_of_start(const PanelContext& context, const WatchStart& since)
     const std::string when = say(language, "since time {}", plain_number(language, since.at));
     if (!since.event) return when;
     const RunEvent& event = context.run().events.at(*since.event);
-    const std::string what = reverses(event)
-                                 ? say(language, "velocities reversed")
-                                 : words_of_surface_event(language, event, context.gas_in_scene());
+    const std::string what =
+        reverses(event) ? say(language, "velocities reversed")
+                        : words_of_surface_event(context.wording(), event, context.gas_in_scene());
     return what.empty() ? when : say(language, "{}: {}", when, what);
 }
 

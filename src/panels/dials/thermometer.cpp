@@ -205,7 +205,7 @@ DialSubject thermometer(const PanelContext& context, const PanelSpec& spec) {
     DialSubject subject{{.title = say(language, "Temperature"),
                          .quantity = quantities::temperature,
                          .needs_collisions = true}};
-    subject.note = words_of_moments(language, spec, over);
+    subject.note = words_of_moments(context.wording(), spec, over);
     subject.part = "thermometer";
     std::vector<ThermalPart> parts;
     const std::vector<NamedRegion>& regions = spec.options.as<ThermometerOptions>().regions;

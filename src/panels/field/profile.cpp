@@ -151,17 +151,18 @@ std::optional<std::array<double, 2>> ProfilePanel::time_shown(double at) const {
 namespace {
 
 std::vector<Binding<ProfileOptions>> profile_keys() {
-    return {bind_key("quantity", &ProfileOptions::quantity, quantity_notation(false),
-                     "What it shows; `flow` is the mean velocity along the axis."),
-            cells_key(&ProfileOptions::cells),
-            bind_key("around", &ProfileOptions::around, vector_of(2, not_negative),
-                     "A point: the density then is shown in rings around it, against the distance "
-                     "from it, up to the nearest side of the box.")
-                .default_text("none: along an axis"),
-            bind_key("mark_front", &ProfileOptions::front, flag(),
-                     "With `around`: whether to mark the distance at which the density is highest, "
-                     "as the mean over three neighbouring rings, where it exceeds the mean density "
-                     "of the box by more than three standard deviations of a gas at rest.")};
+    return {
+        bind_key("quantity", &ProfileOptions::quantity, quantity_notation(false),
+                 "What it shows; `flow` is the mean velocity along the axis."),
+        cells_key(&ProfileOptions::cells),
+        bind_key("around", &ProfileOptions::around, vector_of(2, not_negative, quantities::length),
+                 "A point: the density then is shown in rings around it, against the distance "
+                 "from it, up to the nearest side of the box.")
+            .default_text("none: along an axis"),
+        bind_key("mark_front", &ProfileOptions::front, flag(),
+                 "With `around`: whether to mark the distance at which the density is highest, "
+                 "as the mean over three neighbouring rings, where it exceeds the mean density "
+                 "of the box by more than three standard deviations of a gas at rest.")};
 }
 
 void check_profile(PanelSpec& panel, const Node& node, Reading& reading) {

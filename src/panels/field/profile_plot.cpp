@@ -87,7 +87,8 @@ plot::Polyline ProfilePanel::law_of(std::size_t run, std::size_t choice) const {
 plot::Note ProfilePanel::note() const {
     const Language language = context_.language();
     plot::Note note{.wraps = true};
-    note.entries.push_back({.words = {plot::Text(words_of_moments(language, spec_, over_))}});
+    note.entries.push_back(
+        {.words = {plot::Text(words_of_moments(context_.wording(), spec_, over_))}});
     const auto is_known = [](double value) { return std::isfinite(value); };
     const auto has_law = [&](const ProfileRun& run) {
         return std::ranges::any_of(
@@ -179,7 +180,8 @@ std::string ProfilePanel::account_of(const std::vector<double>& of_slabs,
                            : say(language, "unknown");
     if (!known.any()) return "";
     const std::string what = name_of_quantity(language, context_.scene, options().quantity, {});
-    const std::string axis = name_of_axis(axis_), time = words_of_moments(language, spec_, over_);
+    const std::string axis = name_of_axis(axis_),
+                      time = words_of_moments(context_.wording(), spec_, over_);
     if (spec_.of.empty())
         return say(language, "{} along {}, {}: between {} and {}.", what, axis, time, low, high);
     return say(language, "{} of {} along {}, {}: between {} and {}.", what,

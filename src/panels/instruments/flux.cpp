@@ -183,7 +183,8 @@ SeriesSubject flux(const PanelContext& context, const PanelSpec& spec) {
                                  say(language, ways.at(way)),
                                  {.of = plot::Role::Of::run, .index = way}});
     subject.compared_title = say(language, "{} {}", subject.title, say(language, ways[0]));
-    subject.notes = {words_of_window(language, over, Phrase{"mean since the last sample"})};
+    subject.notes = {
+        words_of_window(context.wording(), over, Phrase{"mean since the last sample"})};
     if (theory) {
         for (std::size_t way = 0; way < 2; ++way)
             subject.lines.push_back({"theory, " + std::string(ways.at(way).english), "",

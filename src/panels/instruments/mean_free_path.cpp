@@ -38,6 +38,7 @@ PanelKind mean_free_path_kind() {
          .shows = "The mean way between collisions with particles and obstacles, since the start.",
          .abilities = {of, means, comparison},
          .asked = {{"mean_free_path", "the mean free path since the start"}},
+         .shows_units = true,
          .laws = always(std::vector{LawOf::free_flight}),
          .work = always(PanelWork{.flights = PanelWork::Flights::followed})});
 }

@@ -29,7 +29,8 @@ PanelKind particle_speed_kind() {
          .shows = "The speed of a particle that `of` names, or the mean speed of several.",
          .abilities = {of, over, means, comparison, any_space},
          .asked = {{"mean_speed", "the mean speed"},
-                   {"speed", "the speed of a particle, or the mean speed"}}});
+                   {"speed", "the speed of a particle, or the mean speed"}},
+         .shows_units = true});
 }
 
 }  // namespace carom

@@ -32,6 +32,10 @@ std::vector<Binding<PressureOptions>> pressure_keys() {
 
 // A gauge needs a solid wall.
 void check_pressure(PanelSpec& panel, const Node& node, Reading& reading) {
+    if (panel.options.as<PressureOptions>().gauge && reading.units == UnitSystem::real)
+        reading.errors.add(*given(node, "gauge"),
+                           "gauges do not show the units of a scene with `units: real`",
+                           "without `gauge` the pressure is shown against time");
     if (!panel.options.as<PressureOptions>().gauge || is_written(node, "surfaces")) return;
     if (!has_solid_side(reading.box()))
         reading.errors.add(*given(node, "gauge"), "a gauge needs a solid wall of the box",
@@ -86,7 +90,7 @@ class Gauge {
 };
 
 // A gas that is divided by partitions has no single pressure before the last one opens.
-std::string time_words(Language language, const Over& over, const Box& box) {
+std::string time_words(const Wording& language, const Over& over, const Box& box) {
     const bool is_parted = !std::ranges::all_of(box.surfaces.partitions, &Partition::is_open);
     return over.since == Over::Since::start && is_parted
                ? say(language, "mean since the last partition opened")
@@ -162,7 +166,7 @@ SeriesSubject pressure(const PanelContext& context, const PanelSpec& spec) {
          .reads_means_since_start = over.since == Over::Since::start,
          .levels = [context, thermal = gauge.thermal()] { return levels(context, *thermal); }}};
     subject.titles = titles(language, walls);
-    subject.notes = {time_words(language, over, box)};
+    subject.notes = {time_words(context.wording(), over, box)};
     subject.compared = 1;
     subject.compared_title = say(language, "Pressure from collisions");
     return subject;
@@ -186,6 +190,7 @@ PanelKind pressure_kind() {
             .meter = meter_of<pressure>,
             .abilities = {over, means, comparison},
             .asked = {{"pressure", "the pressure, averaged since the start"}},
+            .shows_units = true,
             .keys = option_keys(pressure_keys()),
             .rule = check_pressure,
             .laws = laws_of_pressure,

@@ -192,7 +192,7 @@ void PressureVolumePanel::make_axes() {
     const plot::Text title =
         spec_.title ? escape_markup(*spec_.title) : say(language, titles.at(dimension - 1));
     whole_.titles = {plot::text_of(language, Phrase{"{}: {}"},
-                                   {title, words_of_moments(language, spec_, over())}),
+                                   {title, words_of_moments(context_.wording(), spec_, over())}),
                      title};
     whole_.x =
         plot::axis_of(language, quantities::content(box().dimension).named(content), INFINITY, 0.0);
@@ -304,7 +304,7 @@ plot::Plot PressureVolumePanel::plot(const PanelState* state) const {
         now.layers.emplace_back(path_of(run, shown.shown.at(run)));
         if (!record_.compares()) continue;
         now.accounts_of_runs.push_back(account_of_last(
-            context_.language(), *whole_.y.quantity,
+            context_.wording(), *whole_.y.quantity,
             record_.runs[run].frames.y[PressureVolumeRun::pressure], shown.shown.at(run)));
     }
     return now;

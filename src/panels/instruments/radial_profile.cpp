@@ -202,7 +202,8 @@ void RadialProfilePanel::make_axes() {
     if (record_.runs_in_mean > 1) whole_.columns.push_back(standard_error_of(density));
     if (record_.compares()) plot::name_runs(whole_, record_.names());
     plot::Note note{.wraps = true};
-    note.entries.push_back({.words = {plot::Text(words_of_moments(language, spec_, over_))}});
+    note.entries.push_back(
+        {.words = {plot::Text(words_of_moments(context_.wording(), spec_, over_))}});
     if (record_.runs_in_mean > 1)
         note.entries.push_back(
             {.words = {plot::Text(words_of_mean(language, record_.runs_in_mean))}});
@@ -319,7 +320,7 @@ plot::Plot RadialProfilePanel::plot(const PanelState* state) const {
                 now.account += (now.account.empty() ? "" : " ") +
                                say(language, "{} around a point, {}: {}.",
                                    capitalised(say(language, "density")),
-                                   words_of_moments(language, spec_, over_), between);
+                                   words_of_moments(context_.wording(), spec_, over_), between);
             if (options().front && !record_.compares() && k == 0) add_front(now, values);
         }
     }

@@ -66,7 +66,8 @@ SeriesSubject surface_pressure(const PanelContext& context, const PanelSpec& spe
                            .read = SurfacePressures(box, surfaces, over)}};
     subject.is_signed = !std::ranges::all_of(
         surfaces, [&](std::int32_t surface) { return box.surfaces.is_side(surface); });
-    subject.notes = {words_of_window(language, over, Phrase{"mean since the last sample"})};
+    subject.notes = {
+        words_of_window(context.wording(), over, Phrase{"mean since the last sample"})};
     return subject;
 }
 

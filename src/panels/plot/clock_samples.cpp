@@ -42,11 +42,11 @@ void check_samples_of_points(double points_in_each, const Node& node, Reading& r
                                    most_clock_points));
 }
 
-std::string with_samples(Language language, const std::string& time, bool by_clock,
+std::string with_samples(const Wording& language, const std::string& time, bool by_clock,
                          const Run& run) {
     if (!by_clock) return time;
     return say(language, "{}, sampled every {}", time,
-               plain_number(language, sample_interval(run)));
+               plain_number(language, quantities::time, sample_interval(run)));
 }
 
 }  // namespace carom

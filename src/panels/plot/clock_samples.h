@@ -29,6 +29,7 @@ void check_samples_of_points(double points_in_each, const Node& node, Reading& r
 
 /// A text like "until time 400, samples every 1" from the words for the time; with `samples: none`
 /// these words alone.
-std::string with_samples(Language language, const std::string& time, bool by_clock, const Run& run);
+std::string with_samples(const Wording& language, const std::string& time, bool by_clock,
+                         const Run& run);
 
 }  // namespace carom

@@ -50,6 +50,15 @@ double scale_in(const Rect& area, const Plot& plot) {
                     area.height / (plot.y.high - plot.y.low));
 }
 
+// The numbers that an axis shows along a scale of data.
+Scale shown_scale(const Plot& plot, const Axis& axis, const Scale& data) {
+    const double factor = unit_of(axis, plot.units).factor;
+    if (factor == 1.0) return data;
+    if (axis.kind != Axis::Kind::linear)
+        return {data.low + std::log10(factor), data.high + std::log10(factor), data.from, data.to};
+    return {factor * data.low, factor * data.high, data.from, data.to};
+}
+
 struct PlotArea {
     Rect rect;
     bool is_key_beside = false;
@@ -104,7 +113,8 @@ Frame frame_of(const Plot& plot, const DrawContext& dc, LabelPlacer& placer) {
     };
     const auto frame_in = [&](const PlaceOfNotes& place) {
         const double space =
-            y_axis_space(scale_up(area_of(plot, dc, place, 0.0).rect), style_of(plot, plot.y, dc));
+            y_axis_space(shown_scale(plot, plot.y, scale_up(area_of(plot, dc, place, 0.0).rect)),
+                         style_of(plot, plot.y, dc));
         const auto [area, is_key_beside] =
             area_of(plot, dc, place, std::max(0.0, space - least_left * u));
         const double row = first_note(plot, dc) + height_of_rows(plot, dc, is_key_beside) * u;
@@ -137,7 +147,9 @@ bool is_in_area(const Frame& frame, const Point& at) {
 
 std::string x_title_of(const Plot& plot, const Frame& frame, const AxisStyle& style) {
     const std::string title = markup_of(plot.x.title, frame.dc.theme);
-    if (plot.x.short_title.empty() || keeps_labels(frame.x_scale, title, style)) return title;
+    if (plot.x.short_title.empty() ||
+        keeps_labels(shown_scale(plot, plot.x, frame.x_scale), title, style))
+        return title;
     return markup_of(plot.x.short_title, frame.dc.theme);
 }
 
@@ -194,7 +206,8 @@ Rect area_of_scale(const Frame& frame) {
 }  // namespace
 
 std::vector<double> grid_of(const Frame& frame, const Plot& plot) {
-    return grid_lines(area_of_scale(frame), frame.y_scale, style_of(plot, plot.y, frame.dc));
+    return grid_lines(area_of_scale(frame), shown_scale(plot, plot.y, frame.y_scale),
+                      style_of(plot, plot.y, frame.dc));
 }
 
 namespace {
@@ -216,10 +229,11 @@ void draw_axes(Canvas& canvas, const Frame& frame, const Plot& plot) {
     const DrawContext& dc = frame.dc;
     if (plot.ramp) draw_ramp(canvas, frame, *plot.ramp);
     const AxisStyle style = style_of(plot, plot.x, dc);
-    draw_x_axis(canvas, frame.area, frame.x_scale, x_title_of(plot, frame, style), style);
+    draw_x_axis(canvas, frame.area, shown_scale(plot, plot.x, frame.x_scale),
+                x_title_of(plot, frame, style), style);
     AxisStyle upright = style_of(plot, plot.y, dc);
     upright.words = still_words(frame, plot);
-    draw_y_axis(canvas, area_of_scale(frame), frame.y_scale, upright);
+    draw_y_axis(canvas, area_of_scale(frame), shown_scale(plot, plot.y, frame.y_scale), upright);
     if (plot.y.has_zero_place) draw_zero_place(canvas, frame);
     draw_y_title(canvas, frame, plot);
 }

@@ -1,5 +1,8 @@
 #include "panels/plot/plot.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace carom::plot {
 
 namespace {
@@ -60,6 +63,27 @@ Column column(Heading heading, std::vector<double> values) {
 
 Axis axis_of(Language language, const Quantity& quantity, double low, double high) {
     return {.title = say(language, quantity.word), .low = low, .high = high, .quantity = quantity};
+}
+
+ShownUnit unit_of(const Axis& axis, UnitSystem units) {
+    if (units != UnitSystem::real || !axis.quantity || axis.quantity->is_logarithm ||
+        axis.quantity->dimension.is_none())
+        return {};
+    const double low = axis.kind == Axis::Kind::linear ? std::abs(axis.low) : 0.0;
+    const double high =
+        axis.kind == Axis::Kind::linear ? std::abs(axis.high) : std::pow(10.0, axis.high);
+    return shown_unit(*axis.quantity, units, std::max(low, high));
+}
+
+void name_units(Plot& plot) {
+    for (Axis* axis : {&plot.x, &plot.y}) {
+        const std::string unit = unit_of(*axis, plot.units).name;
+        if (unit.empty()) continue;
+        for (Text* title : {&axis->title, &axis->short_title})
+            if (title == &axis->title || !title->empty())
+                *title += Text((title->empty() ? "" : "\u00A0") + ("(" + unit + ")"));
+        axis->is_titled_by_scene = true;
+    }
 }
 
 const Layer& common(const AnyLayer& layer) {

@@ -21,6 +21,7 @@
 #include "draw/style.h"
 #include "draw/text.h"
 #include "panels/table.h"
+#include "physics/units/unit_table.h"
 #include "util/language.h"
 
 namespace carom::plot {
@@ -335,6 +336,9 @@ struct Axis {
 /// An axis of a quantity, with its word as the title.
 Axis axis_of(Language language, const Quantity& quantity, double low, double high);
 
+/// The unit in which an axis shows its numbers, which are data in the units of the simulation.
+ShownUnit unit_of(const Axis& axis, UnitSystem units);
+
 /// A plot, complete and immutable. Copies share its data.
 struct Plot {
     Language language = Language::english;  ///< of its numbers
@@ -355,6 +359,10 @@ struct Plot {
     std::string finding = {};                        ///< what a caption adds to that
     std::vector<std::string> accounts_of_runs = {};  ///< of each run: "mean 1.25"
 };
+
+/// In real units, adds their units to the titles of the axes, which then stay where names at lines
+/// replace them.
+void name_units(Plot& plot);
 
 /// Adds the name of the line that was added last: in its colour, beside it where it is free. It is
 /// one of the names of NamedAtLines.

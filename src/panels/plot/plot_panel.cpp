@@ -17,6 +17,8 @@ plot::Plot PlotPanel::shown(const PanelState* state) const {
     }
     if (y_words_) plot.y.title = escape_markup(*y_words_);
     plot.y.is_titled_by_scene = y_words_.has_value();
+    if (units_ == UnitSystem::real) plot.units = units_;
+    name_units(plot);
     return plot;
 }
 
@@ -48,7 +50,9 @@ std::optional<Point> PlotPanel::place_of(const DrawContext& dc, const PanelState
 }
 
 Table PlotPanel::table(const PanelState& state, const Theme&) const {
-    return table_of(plot(&state));
+    plot::Plot now = plot(&state);
+    if (units_ == UnitSystem::real) now.units = units_;
+    return table_of(now);
 }
 
 std::shared_ptr<const PanelState> PlotPanel::state_of_runs(

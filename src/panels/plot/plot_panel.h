@@ -31,6 +31,9 @@ class PlotPanel : public SharedPanel {
     /// Sets words at the axes (plain text) instead of the panel's own; none: these.
     void set_axis_words(std::optional<std::string> x, std::optional<std::string> y);
 
+    /// Sets the units in which its numbers are shown.
+    void set_units(UnitSystem units) { units_ = units; }
+
     Room least_room() const override { return {8.0, 7.0}; }
     void draw_ground(Canvas& canvas, const DrawContext& dc) const final;
     void draw(Canvas& canvas, const DrawContext& dc, const PanelState& state) const final;
@@ -50,6 +53,7 @@ class PlotPanel : public SharedPanel {
     /// The plot with the words that the scene gives.
     plot::Plot shown(const PanelState* state) const;
     std::optional<std::string> x_words_, y_words_;
+    UnitSystem units_ = UnitSystem::reduced;
 
     /// The names of growing lines, placed once for all frames.
     std::shared_ptr<const plot::Plot> with_fixed_names(const DrawContext& dc) const;

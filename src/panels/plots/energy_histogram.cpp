@@ -37,7 +37,7 @@ PanelKind energy_histogram_kind() {
          .make = make_energy_histogram,
          .abilities = {bars, of, over, theory, equilibrium, means, comparison, any_space},
          .tried_as = {"energy"}},
-        true);
+        quantities::energy, true);
 }
 
 }  // namespace carom

@@ -84,7 +84,7 @@ HistogramPanel::HistogramPanel(const PanelContext& context, const PanelSpec& spe
       subject_(std::move(subject)),
       members_(context, options().parts.any() ? std::vector<Chosen>{{}} : choices(spec)),
       paths_(context.box(), velocity_changes(context.run())) {
-    record_.time = with_samples(context.language(), time_words(context.language(), spec),
+    record_.time = with_samples(context.wording(), time_words(context.wording(), spec),
                                 options().by_clock, context.run());
     record_.pools.resize(1);
     if (options().parts.any()) parts_.emplace(context.box(), options().parts);

@@ -230,7 +230,7 @@ class HistogramPanel : public RecordPanel<HistogramRecord> {
 /// known of them; for one with an equilibrium, the law of its curves and the check of a test.
 /// `is_from_zero`: its values are never negative, and neither is `range`; `values_each`: how many
 /// of each particle are counted.
-PanelKind histogram_kind(PanelKind kind, bool is_from_zero = false,
+PanelKind histogram_kind(PanelKind kind, const Quantity& quantity, bool is_from_zero = false,
                          std::function<int(const PanelSpec&, const Gas&)> values_each = always(1));
 
 }  // namespace carom

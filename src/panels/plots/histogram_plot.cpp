@@ -134,10 +134,13 @@ plot::Note HistogramPanel::fit_note(std::size_t k, const MeanHistogram* now) con
     if (now == nullptr) return note;
     const Language language = context_.language();
     const std::string whose = count() == 1 ? say(language, "normal curve") : name_of_series(k);
+    const Wording wording = context_.wording();
+    const Quantity& quantity = subject_.quantity;
     // The mean has the decimals of the deviation, unless it is larger.
-    const std::string deviation = steady_number(language, now->deviation, {0.0, now->deviation});
-    const std::string mean =
-        steady_number(language, now->mean, {0.0, std::max(std::abs(now->mean), now->deviation)});
+    const std::string deviation =
+        steady_number(wording, quantity, now->deviation, {0.0, now->deviation});
+    const std::string mean = steady_number(wording, quantity, now->mean,
+                                           {0.0, std::max(std::abs(now->mean), now->deviation)});
     const std::string numbers = say(language, "mean {}, standard deviation {}", mean, deviation);
     const std::string short_numbers = say(language, "mean {}, s.d. {}", mean, deviation);
     const Role& role = roles_[k].fit;
@@ -232,7 +235,7 @@ std::string HistogramPanel::mean_words(std::size_t k, double mean) const {
     if (!std::isfinite(mean)) return "\u2013";
     const HistogramSeries& series = axes_.series[k];
     const double least = least_of_axis * axes_.bins.high;
-    return steady_number(context_.language(), mean,
+    return steady_number(context_.wording(), subject_.quantity, mean,
                          {std::min(series.lowest_mean, 0.0),
                           std::max({series.highest_mean, -series.lowest_mean, least})});
 }
@@ -432,13 +435,15 @@ std::string HistogramPanel::account_of_series(const HistogramCounts& now, std::s
     const double error = now.mean_errors.empty() ? NAN : now.mean_errors[k];
     // Without an error, a mean that is 0 within the rounding of its sum is 0.
     const bool is_small = subject_.symmetric && std::abs(one.mean) < one.deviation;
-    const std::string mean = is_small && !(error > 0.0)
-                                 ? steady_number(language, one.mean, {0.0, one.deviation})
-                                 : with_error(language, one.mean, error);
-    const std::string words = subject_.symmetric || options().fit
-                                  ? say(language, "mean {}, standard deviation {}", mean,
-                                        three_digits(language, one.deviation))
-                                  : say(language, "mean {}", mean);
+    const std::string mean =
+        is_small && !(error > 0.0)
+            ? steady_number(context_.wording(), subject_.quantity, one.mean, {0.0, one.deviation})
+            : with_error(context_.wording(), subject_.quantity, one.mean, error);
+    const std::string words =
+        subject_.symmetric || options().fit
+            ? say(language, "mean {}, standard deviation {}", mean,
+                  three_digits(context_.wording(), subject_.quantity, one.deviation))
+            : say(language, "mean {}", mean);
     if (compares() || count() == 1) return words;
     return say(language, "{}: {}", name_of_series(k), words);
 }

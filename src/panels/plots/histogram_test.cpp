@@ -11,6 +11,7 @@
 #include "panels/plots/suits.h"
 #include "scene/instruments/instrument_reading.h"
 #include "scene/keys/check.h"
+#include "scene/keys/unit_conversion.h"
 #include "scene/reading/gas_reading.h"
 #include "util/text.h"
 
@@ -49,7 +50,7 @@ Notation<std::pair<double, double>> histogram_range() {
                                "narrower than rounding errors",
                                "take a wider range");
     };
-    return mapped(checked(pair_of(any_number, "[low, high]"), rising),
+    return mapped(checked(pair_of(number_of_any_quantity(any_number), "[low, high]"), rising),
                   [](const TwoNumbers& ends) { return std::pair(ends[0], ends[1]); });
 }
 
@@ -73,6 +74,21 @@ std::vector<Binding<HistogramOptions>> bar_keys() {
 std::vector<Binding<HistogramOptions>> histogram_keys() {
     return joined<HistogramOptions>(std::vector{samples_key(&HistogramOptions::by_clock)},
                                     bind_within(&HistogramOptions::parts, part_keys()));
+}
+
+// The key is one for all kinds, so that its unit is known only here.
+void check_unit_of_range(const Quantity& quantity, const Node& node, Reading& reading) {
+    const Node* range = given(node, "range");
+    if (range == nullptr || !range->is_list()) return;
+    for (const Node& end : range->items) {
+        const auto written = number_with_unit(end.written);
+        const Unit* unit = written ? unit_named(written->unit) : nullptr;
+        if (unit == nullptr || measures(*unit, quantity)) continue;
+        reading.errors.add(end,
+                           fmt::format("expected {} for `range`, found {}",
+                                       quantity_words(quantity), described(end)),
+                           fmt::format("for instance `{}`", unit_example(quantity)));
+    }
 }
 
 void check_range(const HistogramOptions& options, const Node& node, Reading& reading) {
@@ -125,13 +141,15 @@ void check_parts(PanelSpec& panel, const Node& node, Reading& reading) {
 
 }  // namespace
 
-PanelKind histogram_kind(PanelKind kind, bool is_from_zero,
+PanelKind histogram_kind(PanelKind kind, const Quantity& quantity, bool is_from_zero,
                          std::function<int(const PanelSpec&, const Gas&)> values_each) {
+    kind.shows_units = true;
     kind.bar_keys = option_keys(bar_keys());
     kind.keys = option_keys(histogram_keys());
     const bool has_law = kind.can(Ability::equilibrium);
     kind.rule = [=](PanelSpec& panel, const Node& node, Reading& reading) {
         const auto& options = panel.options.as<HistogramOptions>();
+        check_unit_of_range(quantity, node, reading);
         if (is_from_zero) check_range(options, node, reading);
         if (has_law) check_equilibrium(panel, node, reading);
         check_parts(panel, node, reading);

@@ -171,8 +171,10 @@ std::string HistogramPanel::height_name() const {
     const Language language = context_.language();
     const double width = axes_.bins.width();
     const bool is_plain = width >= 1e-3 && width < 1e5;
-    const std::string per = is_plain ? localised(language, fmt::format("{:.3g}", width))
-                                     : three_digits(language, width);
+    const std::string per = context_.wording().units == UnitSystem::real
+                                ? three_digits(context_.wording(), subject_.quantity, width)
+                            : is_plain ? localised(language, fmt::format("{:.3g}", width))
+                                       : three_digits(language, width);
     if (axes_.counts_per_cent()) return say(language, "% per {}", per);
     return is_of_one ? say(language, "particles per {}", per) : say(language, "values per {}", per);
 }

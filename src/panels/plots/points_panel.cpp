@@ -40,8 +40,8 @@ void show_samples(const PanelContext& context, const PanelSpec& spec, PointsSubj
     subject.corners = nullptr;
     PanelSpec so_far = spec;
     so_far.over = Over{Over::Since::start, 0.0};
-    subject.remark = with_samples(subject.language, time_words(subject.language, so_far), by_clock,
-                                  context.run());
+    subject.remark = with_samples(context.wording(), time_words(context.wording(), so_far),
+                                  by_clock, context.run());
 }
 
 std::vector<Binding<PanelSpec>> point_keys() {

@@ -46,7 +46,8 @@ PanelKind position_histogram_kind() {
                   "binomial distribution that balls would have if each row sent them to the left "
                   "or to the right independently.",
          .make = make_position_histogram,
-         .abilities = {bars, of, over, component, means, comparison}});
+         .abilities = {bars, of, over, component, means, comparison}},
+        quantities::position);
 }
 
 }  // namespace carom

@@ -41,11 +41,12 @@ SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& s
     return subject;
 }
 
-std::string account_of_last(Language language, const Quantity& quantity,
+std::string account_of_last(const Wording& language, const Quantity& quantity,
                             const std::vector<double>& values, std::size_t shown) {
     while (shown > 0 && !std::isfinite(values[shown - 1])) --shown;
     return say(language, quantity.word) + " " +
-           (shown == 0 ? say(language, "unknown") : three_digits(language, values[shown - 1]));
+           (shown == 0 ? say(language, "unknown")
+                       : three_digits(language, quantity, values[shown - 1]));
 }
 
 namespace {
@@ -71,10 +72,11 @@ Phrase phrase_of_event(const RunEvent& event) {
 
 // A word for an event, in English, or what a wall becomes; empty for an event that has its own
 // mark, or none.
-std::string series_event_word(const RunEvent& event) {
+std::string series_event_word(const RunEvent& event, UnitSystem units) {
     const auto given = given_behaviour(event);
     const auto* bath = given ? bath_of(given->second) : nullptr;
-    return bath != nullptr ? "T = " + plain_number(bath->temperature)
+    return bath != nullptr ? "T = " + plain_number(Wording{Language::english, units},
+                                                   quantities::temperature, bath->temperature)
                            : std::string(phrase_of_event(event).english);
 }
 
@@ -116,12 +118,13 @@ void SeriesPanel::finish_record() {
         if (!word.empty()) run.events.emplace_back(at, std::move(word));
     };
     const std::vector<RunEvent>& events = context_.run().events;
-    for (const RunEvent& event : events) add(event.at, series_event_word(event));
+    const UnitSystem units = context_.wording().units;
+    for (const RunEvent& event : events) add(event.at, series_event_word(event, units));
     for (const MirroredEvent& mirrored : mirrored_events(context_.run())) {
         const RunEvent& event = events[mirrored.event];
         const auto opposite = mirrored.is_undone ? opposite_of(event) : event;
-        const std::string own = series_event_word(event);
-        add(mirrored.at, opposite      ? series_event_word(*opposite)
+        const std::string own = series_event_word(event, units);
+        add(mirrored.at, opposite      ? series_event_word(*opposite, units)
                          : own.empty() ? own
                                        : std::string(Phrase{"undone"}.english));
     }
@@ -203,7 +206,7 @@ void SeriesPanel::make_axes() {
 std::vector<std::string> SeriesPanel::accounts_of_runs(const ShownState& now) const {
     std::vector<std::string> accounts;
     for (std::size_t k = 0; k < record_.runs.size(); ++k)
-        accounts.push_back(account_of_last(context_.language(), meter().quantity,
+        accounts.push_back(account_of_last(context_.wording(), meter().quantity,
                                            record_.runs[k].frames.y.front(), now.shown.at(k)));
     return accounts;
 }
@@ -237,7 +240,7 @@ std::string SeriesPanel::account_of(const Measured& now) const {
         if (lines[k].is_theory || !std::isfinite(value)) continue;
         const double error =
             !now.error.empty() ? now.error[k].back() : error_of_mean(now.x, now.y[k]);
-        const std::string number = with_error(language, value, error);
+        const std::string number = with_error(context_.wording(), meter().quantity, value, error);
         numbers.push_back(lines[k].name.empty() ? number : lines[k].name + " " + number);
     }
     const std::string word = say(language, meter().quantity.word);

@@ -34,7 +34,7 @@ SeriesSubject subject_of_choices(const PanelContext& context, const PanelSpec& s
                                  const Quantity& quantity);
 
 /// A text like "pressure 1.25" with the last number among those shown that is not NaN.
-std::string account_of_last(Language language, const Quantity& quantity,
+std::string account_of_last(const Wording& language, const Quantity& quantity,
                             const std::vector<double>& values, std::size_t shown);
 
 class SeriesPanel : public FramesPanel<HistoryRecord> {
@@ -79,6 +79,7 @@ class SeriesPanel : public FramesPanel<HistoryRecord> {
     void add_levels();
     void add_common_levels(const ReferenceLevels& levels);
     void add_levels_of_lines(const ReferenceLevels& levels);
+    std::string with_deviation(const ReferenceLevel& level) const;
     void add_band_about(const plot::Level& level, double deviation);
     void add_turns();
     void add_events();

@@ -9,6 +9,7 @@
 
 #include "panels/plot/window.h"
 #include "panels/plots/series_panel.h"
+#include "physics/units/unit_table.h"
 #include "util/text.h"
 
 namespace carom {
@@ -136,7 +137,8 @@ std::vector<std::string> SeriesPanel::notes() const {
         both.insert(both.end(), more.begin(), more.end());
         all = std::move(both);
     };
-    if (reader_.averages()) append({words_of_window(language, *meter().over, Phrase{"now"})});
+    if (reader_.averages())
+        append({words_of_window(context_.wording(), *meter().over, Phrase{"now"})});
     if (record_.runs_in_mean > 1) {
         const std::string mean = words_of_mean(language, record_.runs_in_mean);
         append({say(language, "{} \u00B1 standard error", mean), mean});
@@ -223,11 +225,23 @@ void SeriesPanel::add_levels_of_lines(const ReferenceLevels& levels) {
         const auto words = [&](const std::string& text) {
             return plot::named(text, level.stroke.role, plot::Swatch::line, *of.line);
         };
-        const std::string number = three_digits(language, of.value);
+        const std::string number = three_digits(context_.wording(), meter().quantity, of.value);
         plot::name_level(level,
                          {words(say(language, Phrase{of.name}) + " " + number), words(number)});
         whole_.layers.emplace_back(std::move(level));
     }
+}
+
+// "1.25 ± 0.12", in real units with the unit of the level after both.
+std::string SeriesPanel::with_deviation(const ReferenceLevel& level) const {
+    const Language language = context_.language();
+    const auto both = [&](double factor) {
+        return three_digits(language, factor * level.value) + "\u2009\u00B1\u2009" +
+               localised(language, fmt::format("{:.2g}", factor * level.deviation));
+    };
+    if (context_.wording().units != UnitSystem::real) return both(1.0);
+    const ShownUnit unit = shown_unit(meter().quantity, UnitSystem::real, level.value);
+    return fmt::format("({})\u00A0{}", both(unit.factor), unit.name);
 }
 
 // Levels are distinguished by their dashes; levels whose numbers look the same share one label.
@@ -235,18 +249,19 @@ void SeriesPanel::add_common_levels(const ReferenceLevels& levels) {
     static const std::vector<std::vector<double>> dashes{{0.3}, {0.9, 0.3}, {0.9, 0.3, 0.2, 0.3}};
     const Language language = context_.language();
     std::string names;
+    const auto number_of = [&](double value) {
+        return three_digits(context_.wording(), meter().quantity, value);
+    };
     for (std::size_t k = 0; k < levels.size(); ++k) {
         plot::Level level = level_of(levels[k]);
         level.stroke.dashes = dashes[k % dashes.size()];
         add_band_about(level, levels[k].deviation);
-        const std::string number = three_digits(language, levels[k].value);
+        const std::string number = number_of(levels[k].value);
         names += (names.empty() ? "" : ", ") + say(language, Phrase{levels[k].name});
-        if (k + 1 == levels.size() || three_digits(language, levels[k + 1].value) != number) {
+        if (k + 1 == levels.size() || number_of(levels[k + 1].value) != number) {
             std::vector<plot::Text> words{names + " " + number};
             if (levels[k].deviation > 0.0)
-                words.insert(words.begin(),
-                             names + " " + number + "\u2009\u00B1\u2009" +
-                                 localised(language, fmt::format("{:.2g}", levels[k].deviation)));
+                words.insert(words.begin(), names + " " + with_deviation(levels[k]));
             plot::name_level(level, std::move(words), levels[k].deviation);
             names.clear();
         }

@@ -85,7 +85,7 @@ PanelKind speed_histogram_kind() {
          .make = make_speed_histogram,
          .abilities = {bars, of, over, component, both, two_axes, theory, equilibrium, means,
                        comparison, any_space}},
-        true);
+        quantities::speed, true);
 }
 
 }  // namespace carom

@@ -38,6 +38,7 @@ PanelKind temperature_kind() {
          .shows = "The temperature against time, of all particles or of those that `of` names.",
          .abilities = {of, over, means, comparison, any_space},
          .asked = {{"temperature", "the temperature"}},
+         .shows_units = true,
          .suits = acts_on_gas});
 }
 

@@ -58,7 +58,7 @@ PanelKind velocity_histogram_kind() {
                   "with the equilibrium distribution.",
          .make = make_velocity_histogram,
          .abilities = {bars, of, over, component, both, theory, equilibrium, means, comparison}},
-        false, velocities_each);
+        quantities::velocity, false, velocities_each);
 }
 
 }  // namespace carom

@@ -79,7 +79,7 @@ std::string SurfaceView::Brush::words_in_space(std::size_t k) const {
                                   three_digits(language, place_of_surface(box, states, k));
         what = what.empty() ? place : say(language, "{}, {}", what, place);
     }
-    if (what.empty()) what = words_of(language, behaviour(k), view.gas_, axis);
+    if (what.empty()) what = words_of({language}, behaviour(k), view.gas_, axis);
     return say(language, "{}: {}", short_name_of_surface(language, box, k), what);
 }
 

@@ -65,7 +65,7 @@ std::string doing_of(Language language, const Gas& gas, const SurfaceState& stat
                                 : say(language, "stands still");
     };
     const auto of_behaviour = [&] {
-        return with_held(language, state, words_of(language, state.behaviour, gas, axis));
+        return with_held(language, state, words_of({language}, state.behaviour, gas, axis));
     };
     return std::visit(Overloaded{[&](const Reflecting&) { return of_motion(); },
                                  [&](const Bath&) { return of_behaviour(); },

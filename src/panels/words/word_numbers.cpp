@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "panels/registry.h"
+#include "physics/units/unit_table.h"
 #include "scene/panel_kind.h"
 #include "scene/scene.h"
 #include "util/text.h"
@@ -112,7 +113,7 @@ std::vector<std::string> WordNumbers::texts() const {
                 "ask for another time, or for another number; a figure of it says why it has none";
         }
         texts[requests_[k].number] =
-            number_words(scene_.film.language, number,
+            number_words(wording_of(scene_), number,
                          instruments_.quantity(instrument_[k], number.reader->is_result), value);
     }
     if (!errors.empty()) throw SceneError(std::move(errors));
@@ -133,9 +134,14 @@ Scene with_usual_numbers(Scene scene) {
     return scene;
 }
 
-std::string number_words(Language language, const NumberInWords& number, const Quantity& quantity,
-                         double value) {
+std::string number_words(const Wording& wording, const NumberInWords& number,
+                         const Quantity& quantity, double value) {
     constexpr int usual_digits = 3;
+    const Language language = wording.language;
+    if (const std::string unit = unit_after_number(wording.units, quantity, value); !unit.empty()) {
+        const double factor = shown_unit(quantity, wording.units, value).factor;
+        return number_words({language}, number, quantities::number, factor * value) + unit;
+    }
     if (number.are_decimals) return localised(language, with_digits(value, number.digits));
     if (quantity.kind == Quantity::Kind::count && value == std::floor(value) &&
         std::abs(value) < 1e15)

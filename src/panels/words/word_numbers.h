@@ -58,7 +58,7 @@ Scene with_numbers(Scene scene, const std::vector<std::string>& texts);
 Scene with_usual_numbers(Scene scene);
 
 /// A number as words show it: with three digits, or with as many as are asked for.
-std::string number_words(Language language, const NumberInWords& number, const Quantity& quantity,
-                         double value);
+std::string number_words(const Wording& wording, const NumberInWords& number,
+                         const Quantity& quantity, double value);
 
 }  // namespace carom

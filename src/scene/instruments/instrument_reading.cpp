@@ -168,15 +168,16 @@ Notation<CountingLine> counting_line_notation() {
     const KeyTable<Written> table{
         .name = "`line`",
         .keys =
-            {bind_key("x", &Written::x, number(not_negative),
+            {bind_key("x", &Written::x, number(not_negative, quantities::length),
                       "The x coordinate of a line perpendicular to the x axis."),
-             bind_key("y", &Written::y, number(not_negative),
+             bind_key("y", &Written::y, number(not_negative, quantities::length),
                       "The y coordinate of a line perpendicular to the y axis."),
-             bind_key("z", &Written::z, number(not_negative),
+             bind_key("z", &Written::z, number(not_negative, quantities::length),
                       "The z coordinate of a plane perpendicular to the z axis, in a box with "
                       "three lengths."),
              bind_key(
-                 "between", &Written::between, list_of(number(any_number), 2, {4}, "[from, to]"),
+                 "between", &Written::between,
+                 list_of(number(any_number, quantities::length), 2, {4}, "[from, to]"),
                  "Where the line begins and ends along the other axis; in space the corners of a "
                  "rectangle in the plane, [a0, b0, a1, b1], in the order x, y, z without "
                  "the axis that `line` gives.")
@@ -215,6 +216,7 @@ Notation<CountingLine> counting_line_notation() {
 Notation<WatchStart> watch_start_notation() {
     auto word = text(1, most_name_letters).called("a time or the name of what starts it");
     word.forms.front().words = {"start"};
+    word.forms.front().quantity = quantities::time;
     const auto read = [](const std::string& what, const Node& node,
                          Reading& reading) -> std::optional<WatchStart> {
         if (what == "start") return WatchStart{};

@@ -167,6 +167,7 @@ void check_list(Node& node, const std::vector<Form>& forms, Context context) {
 }
 
 void check_value(Node& node, const std::vector<Form>& forms, Context context) {
+    if (!node.valid) return;  // its unit has been refused
     switch (node.kind) {
         case Node::Kind::scalar:
             return check_scalar(node, forms, context);

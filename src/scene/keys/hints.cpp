@@ -10,6 +10,7 @@
 #include "scene/keys/colors.h"
 #include "scene/keys/key_text.h"
 #include "scene/keys/rewriting.h"
+#include "scene/keys/unit_conversion.h"
 #include "scene/yaml/scalar.h"
 #include "scene/yaml/yaml_text.h"
 #include "util/text.h"
@@ -94,8 +95,16 @@ bool is_in(double value, const Range& range) {
 }
 
 // Returns a hint for a number outside of the range of a form, or with decimals where it is whole.
-std::string range_hint(double value, const Form& form) {
+std::string range_hint(const Node& node, double value, const Form& form) {
     const Range& range = form.range;
+    if (!node.written.empty()) {  // the range is that of the converted number
+        const bool is_low = value < range.low;
+        if (is_low && value != 0.0 && is_in(-value, range))
+            return fmt::format("write `{}`, without the minus sign", node.written.substr(1));
+        if (is_low || value > range.most.value)
+            return fmt::format("the {} is {}", is_low ? "smallest" : "largest",
+                               in_unit_of(node, is_low ? range.low : range.most.value));
+    }
     if (value > range.most.value && !range.most.meaning.empty()) return to_text(range.most);
     if (value > range.most.value)
         return fmt::format("the largest is {}", number_text(range.most.value));
@@ -192,7 +201,7 @@ std::string scalar_hint(const Node& node, const std::vector<Form>& forms) {
         return fmt::format("the units of lengths are {}: `{}`", listed(length_units()),
                            length_example(*length));
     if (number != nullptr)
-        if (const std::string hint = value ? range_hint(*value, *number) : number_hint(node);
+        if (const std::string hint = value ? range_hint(node, *value, *number) : number_hint(node);
             !hint.empty())
             return hint;
     const Form* list = form_of(forms, Shape::list);
@@ -350,7 +359,7 @@ std::string hint_for_unknown(const Node& key, const Section& section, const Sect
                            trimmed(name.substr(sign + 1)));
     }
     if (is_kind(name, section)) return fmt::format("write `kind: {}`", name);
-    constexpr std::size_t few = 16;
+    constexpr std::size_t few = 17;
     const std::string place = place_of_key(name, section, whole);
     if (const auto meant = meant_key(name, section))
         return fmt::format("did you mean `{}`?{}", *meant, place.empty() ? "" : " Or, " + place);

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "physics/units/quantity.h"
 #include "scene/limits.h"
 
 namespace carom {
@@ -52,6 +53,10 @@ struct Form {
     std::string list_hint = {};  ///< for a list of another length or a mapping; no list: any list
     std::shared_ptr<const Section> section = {};  ///< mapping
     std::string phrase = {};                      ///< how a message calls it; empty: by the shape
+    /// What a number is, which in real units has a unit; none: a plain number. Of a text: what it
+    /// is if it is a number.
+    std::optional<Quantity> quantity = {};
+    bool takes_any_quantity = false;  ///< instead: known only when the whole mapping has been read
 };
 
 struct Key {

@@ -49,7 +49,7 @@ struct Distribution {
     std::optional<ValueRule> value;
 };
 
-KeyTable<Distribution> distribution(Range range) {
+KeyTable<Distribution> distribution(Range range, const Quantity& quantity) {
     const auto ordered = [](const TwoNumbers& ends, const Node& list,
                             Reading& reading) -> std::optional<ValueRule> {
         if (ends[0] <= ends[1]) return UniformDistribution{ends[0], ends[1]};
@@ -73,12 +73,12 @@ KeyTable<Distribution> distribution(Range range) {
         .name = "a distribution",
         .keys =
             {bind_key("uniform", &Distribution::value,
-                      parsed(pair_of(range, "[low, high]"), ordered),
+                      parsed(pair_of(number(range, quantity), "[low, high]"), ordered),
                       "A uniform distribution between two numbers.")
                  .tried_as({"range", "between", "flat", "random"}),
              bind_key(
                  "normal", &Distribution::value,
-                 parsed(pair_of(spread, "[mean, deviation]"), positive_mean),
+                 parsed(pair_of(number(spread, quantity), "[mean, deviation]"), positive_mean),
                  "A normal distribution with this mean and standard deviation. Of radii, masses "
                  "and densities, values below 0 are drawn again; speeds lose their "
                  "sign. Where this is more than 1 % of the values, `carom check` "
@@ -96,10 +96,16 @@ Held::Held(const Held& other) = default;
 Held& Held::operator=(const Held& other) = default;
 Held::~Held() = default;
 
-Notation<double> number(Range range) {
-    return {{{.shape = Shape::number, .range = range}},
+Notation<double> number(Range range, std::optional<Quantity> quantity) {
+    return {{{.shape = Shape::number, .range = range, .quantity = quantity}},
             [](const Node& node, Reading&) { return number_in(node); },
             [](double value) { return number_text(value); }};
+}
+
+Notation<double> number_of_any_quantity(Range range) {
+    Notation<double> notation = number(range);
+    notation.forms.front().takes_any_quantity = true;
+    return notation;
 }
 
 Notation<double> length(Range range, LengthUnit unit) {
@@ -152,7 +158,16 @@ Notation<std::string> with_formulas(Notation<std::string> text) {
                                    error.hint);
                 return words;
             }
-            return with_marks(words, node, reading.numbers, reading.errors);
+            const std::size_t before = reading.numbers.size();
+            std::string marked = with_marks(words, node, reading.numbers, reading.errors);
+            for (std::size_t k = before; k < reading.numbers.size(); ++k)
+                if (reading.numbers[k].at && reading.units == UnitSystem::real)
+                    reading.errors.add(
+                        node,
+                        fmt::format("the time of `{{{}}}` has no unit", reading.numbers[k].name),
+                        "in real units words ask for numbers of the time at which they appear: "
+                        "leave the time out");
+            return marked;
         });
     all.write = write;
     return all;
@@ -164,18 +179,19 @@ Notation<std::string> word(const std::vector<std::string>& words) {
     return one_of(std::move(pairs));
 }
 
-Notation<TwoNumbers> pair_of(Range range, std::string phrase) {
-    return mapped(list_of(number(range), 2, {2}, std::move(phrase)),
+Notation<TwoNumbers> pair_of(Notation<double> each, std::string phrase) {
+    return mapped(list_of(std::move(each), 2, {2}, std::move(phrase)),
                   [](const std::vector<double>& values) {
                       return TwoNumbers{values.at(0), values.at(1)};
                   });
 }
 
-Notation<Vec> vector_of(int dimension, Range range, std::string phrase) {
-    if (dimension == 1) return mapped(number(range), [](double x) { return Vec(x, 0.0); });
+Notation<Vec> vector_of(int dimension, Range range, const Quantity& quantity, std::string phrase) {
+    const Notation<double> along_axis = number(range, quantity);
+    if (dimension == 1) return mapped(along_axis, [](double x) { return Vec(x, 0.0); });
     if (phrase.empty()) phrase = dimension == 2 ? "[x, y]" : "[x, y, z]";
     const auto axes = static_cast<std::size_t>(dimension);
-    return mapped(list_of(number(range), axes, {static_cast<double>(dimension)}, std::move(phrase)),
+    return mapped(list_of(along_axis, axes, {static_cast<double>(dimension)}, std::move(phrase)),
                   [](const std::vector<double>& along) {
                       return Vec(along.at(0), along.at(1), along.size() == 3 ? along[2] : 0.0);
                   });
@@ -209,21 +225,21 @@ std::string order_of_corners(int dimension) {
 
 Notation<Region> corners_of(int dimension, std::string key, std::string first) {
     const Limit count{2.0 * dimension};
-    return parsed(list_of(number(any_number), count.count(), count, corners(dimension)),
-                  [=](const std::vector<double>& ends, const Node& node, Reading& reading) {
-                      const std::optional<Region> region = region_of(dimension, ends);
-                      if (!region)
-                          reading.errors.add(
-                              node,
-                              fmt::format("expected {} with {} for `{}`", corners(dimension),
-                                          order_of_corners(dimension), key),
-                              first);
-                      return region;
-                  });
+    return parsed(
+        list_of(number(any_number, quantities::length), count.count(), count, corners(dimension)),
+        [=](const std::vector<double>& ends, const Node& node, Reading& reading) {
+            const std::optional<Region> region = region_of(dimension, ends);
+            if (!region)
+                reading.errors.add(node,
+                                   fmt::format("expected {} with {} for `{}`", corners(dimension),
+                                               order_of_corners(dimension), key),
+                                   first);
+            return region;
+        });
 }
 
-Notation<std::vector<Vec>> points(int dimension) {
-    const Notation<Vec> one = vector_of(dimension, any_number);
+Notation<std::vector<Vec>> points(int dimension, const Quantity& quantity) {
+    const Notation<Vec> one = vector_of(dimension, any_number, quantity);
     if (dimension == 1) return one_or_list(one, most_particles, "a list of numbers");
     const auto several = list_of(one, 1, most_particles, "a list of " + one.forms.front().phrase);
     return {{one.forms.front(), several.forms.front()},
@@ -238,12 +254,13 @@ bool lists_points(const Node& node, int dimension) {
     return node.is_list() && (dimension == 1 || node.items.front().is_list());
 }
 
-Notation<ValueRule> rule_for(Range range) {
-    const Notation<ValueRule> drawn = parsed(
-        mapping(distribution(range), "{uniform: [low, high]} or {normal: [mean, deviation]}"),
-        [](const Distribution& one, const Node&, Reading&) { return one.value; });
-    const auto each = list_of(number(range), 1, most_particles, "a list of numbers");
-    return either(as<ValueRule>(number(range)), either(as<ValueRule>(each), drawn));
+Notation<ValueRule> rule_for(Range range, const Quantity& quantity) {
+    const Notation<ValueRule> drawn =
+        parsed(mapping(distribution(range, quantity),
+                       "{uniform: [low, high]} or {normal: [mean, deviation]}"),
+               [](const Distribution& one, const Node&, Reading&) { return one.value; });
+    const auto each = list_of(number(range, quantity), 1, most_particles, "a list of numbers");
+    return either(as<ValueRule>(number(range, quantity)), either(as<ValueRule>(each), drawn));
 }
 
 const Node* given(const Node& mapping, std::string_view key) {

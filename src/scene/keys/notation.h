@@ -35,7 +35,8 @@ struct Reading {
     Errors& errors;
     const Gas& gas;
     const Run& run;
-    std::vector<NumberInWords>& numbers;  ///< for which words ask, as far as they have been read
+    std::vector<NumberInWords>& numbers;     ///< for which words ask, as far as they have been read
+    UnitSystem units = UnitSystem::reduced;  ///< of the scene
 
     const Box& box() const;  ///< of the gas
 };
@@ -114,7 +115,11 @@ struct Notation {
     }
 };
 
-Notation<double> number(Range range);
+/// A number; `quantity` is what it measures, in real units with a unit. None: a plain number.
+Notation<double> number(Range range, std::optional<Quantity> quantity = {});
+
+/// A number in a plot: of the quantity of its axis, which depends on the plot.
+Notation<double> number_of_any_quantity(Range range);
 
 /// A length with its unit, given in `unit`.
 Notation<double> length(Range range, LengthUnit unit);
@@ -267,11 +272,12 @@ Notation<std::vector<V>> one_or_list(Notation<V> one, Limit most, std::string ph
 
 /// A list of two numbers: the ends of an interval, or a width and a height.
 using TwoNumbers = std::array<double, 2>;
-Notation<TwoNumbers> pair_of(Range range, std::string phrase);
+Notation<TwoNumbers> pair_of(Notation<double> each, std::string phrase);
 
 /// A vector of a box of this dimension: a number on a wire, [x, y] in a plane, [x, y, z] in space.
 /// `phrase` is what messages call a list.
-Notation<Vec> vector_of(int dimension, Range range, std::string phrase = "");
+Notation<Vec> vector_of(int dimension, Range range, const Quantity& quantity,
+                        std::string phrase = "");
 
 /// What messages call the particles in a box of this dimension.
 const char* particles_of(int dimension);
@@ -289,14 +295,14 @@ std::optional<Region> region_of(int dimension, const std::vector<double>& ends);
 std::string order_of_corners(int dimension);
 
 /// One place or velocity, or a list with one for each particle, each a vector_of(dimension).
-Notation<std::vector<Vec>> points(int dimension);
+Notation<std::vector<Vec>> points(int dimension, const Quantity& quantity);
 
 /// Returns whether a checked node is a list of several points rather than a single point.
 bool lists_points(const Node& node, int dimension);
 
 /// NUMBER of the scene language: one number for all particles, a list with one for each, or a
 /// distribution to draw from.
-Notation<ValueRule> rule_for(Range range);
+Notation<ValueRule> rule_for(Range range, const Quantity& quantity);
 
 /// A value together with its node, for checks that come later. The nodes must outlive the reading.
 template <typename V>

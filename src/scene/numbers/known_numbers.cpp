@@ -83,7 +83,7 @@ Found instrument_of(const Scene& scene, PanelKinds kinds, const PanelKind& kind,
     const Source source{.name = "", .text = fmt::format("[{{kind: {}{}}}]", kind.name, *options)};
     Errors errors;
     std::vector<NumberInWords> none;
-    Reading reading{errors, scene.gas, scene.run, none};
+    Reading reading{errors, scene.gas, scene.run, none, scene.units};
     const auto node = read_yaml(source, errors);
     std::optional<std::vector<PanelSpec>> specs;
     if (node) specs = measure_notation(kinds).read(*node, reading);

@@ -24,7 +24,7 @@ const char* displacement(int dimension) {
 
 // The displacement is kept as the text in the file, because a double cannot hold all of its digits.
 Notation<Displacement> digits(int dimension) {
-    return parsed(vector_of(dimension, any_number, displacement(dimension)),
+    return parsed(vector_of(dimension, any_number, quantities::length, displacement(dimension)),
                   [](const Vec&, const Node& node, Reading&) {
                       Displacement by{"0", "0", "0"};
                       if (node.items.empty()) by[0] = node.text;
@@ -60,18 +60,20 @@ Notation<Heat> heat_notation() {
         double temperature = 0.0;
     };
     const auto target = mapped(
-        complete_mapping(KeyTable<Target>{.name = "`to`",
-                                          .keys = {bind_key("temperature", &Target::temperature,
-                                                            number(positive), "The temperature.")
-                                                       .required()}},
-                         "{temperature: T}"),
+        complete_mapping(
+            KeyTable<Target>{
+                .name = "`to`",
+                .keys = {bind_key("temperature", &Target::temperature,
+                                  number(positive, quantities::temperature), "The temperature.")
+                             .required()}},
+            "{temperature: T}"),
         [](const Target& its) { return its.temperature; });
     const KeyTable<HeatDraft> table{
         .name = "`heat`",
         .keys = {bind_key("of", &HeatDraft::of, kept(text(1, most_name_letters)),
                           "A species, or `all` particles.")
                      .default_text("`all`"),
-                 bind_key("by", &HeatDraft::by, number(any_number),
+                 bind_key("by", &HeatDraft::by, number(any_number, quantities::energy),
                           "The total energy added; a negative number removes energy."),
                  bind_key("to", &HeatDraft::to, target,
                           "Instead of `by`: the temperature to reach.")},
@@ -89,7 +91,7 @@ Notation<Heat> heat_notation() {
 std::vector<Binding<EventDraft>> event_keys(int dimension) {
     const Notation<const Node*> surface = kept(text(1, most_name_letters));
     return {
-        bind_key("at", &EventDraft::at, number(not_negative),
+        bind_key("at", &EventDraft::at, number(not_negative, quantities::time),
                  "When, in simulated time, before `until`.")
             .required()
             .tried_as({"time", "t", "when"}),

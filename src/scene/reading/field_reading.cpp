@@ -64,7 +64,7 @@ Binding<Film> field_key() {
                      .default_text("required for a concentration"),
                  bind_key("cells", &FieldDraft::cells, whole(2, most_field_cells),
                           "The number of cells along the longer side of the box."),
-                 bind_key("over", &FieldDraft::over, number(positive),
+                 bind_key("over", &FieldDraft::over, number(positive, quantities::time),
                           "The simulated time before the present over which it is averaged, by the "
                           "exact times that particles spend in each cell."),
                  bind_key("opacity", &FieldDraft::opacity, number({0.1, {1.0}}),

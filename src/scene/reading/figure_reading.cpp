@@ -294,24 +294,25 @@ Binding<FigureReading> over_key() {
     return bind_with<FigureReading>(
         "over", fill,
         either(as<Times>(over_notation()),
-               as<Times>(list_of(number(not_negative), 2, {2}, "[from, to]"))),
+               as<Times>(list_of(number(not_negative, quantities::time), 2, {2}, "[from, to]"))),
         "The time over which values are taken: only the time shown, all since time 0, a window "
         "before the time shown; or an interval, which replaces `at`.");
 }
 
 std::vector<Binding<FigureReading>> time_keys(PanelKinds kinds) {
-    const auto one_time = number(not_negative)
+    const auto one_time = number(not_negative, quantities::time)
                               .with_list_hint(
                                   "a figure has one time; `strip` shows several side by side, in a "
                                   "figure of kind `gas`");
-    return {bind_key("at", &FigureReading::one_time, one_time, "The simulated time that it shows.")
-                .tried_as({"time", "t", "when", "times"})
-                .default_text("the end of the run"),
-            over_key().only_with(kinds_that_can(kinds, Ability::over)),
-            bind_key("strip", &FigureReading::strip,
-                     list_of(number(not_negative), 2, most_strip, "a list of times"),
-                     "Instead of `at`: several times, shown side by side.")
-                .only_with(kinds_that_can(kinds, Ability::strip))};
+    return {
+        bind_key("at", &FigureReading::one_time, one_time, "The simulated time that it shows.")
+            .tried_as({"time", "t", "when", "times"})
+            .default_text("the end of the run"),
+        over_key().only_with(kinds_that_can(kinds, Ability::over)),
+        bind_key("strip", &FigureReading::strip,
+                 list_of(number(not_negative, quantities::time), 2, most_strip, "a list of times"),
+                 "Instead of `at`: several times, shown side by side.")
+            .only_with(kinds_that_can(kinds, Ability::strip))};
 }
 
 // Those that the defaults of a scene's figures have, too.
@@ -336,6 +337,7 @@ std::vector<Binding<FigureSpec>> word_keys() {
 
 void complete_figure(FigureReading& figure, const Node& node, PanelKinds kinds, Reading& reading) {
     complete_panel(figure, node, kinds, reading);
+    check_units(figure, node, kinds, reading);
     const PanelKind* kind = kind_of(kinds, figure.kind);
     if (figure.joined && (kind == nullptr || !kind->can(Ability::sweep)))
         reading.errors.add(*given(node, "seeds"),

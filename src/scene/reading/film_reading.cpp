@@ -47,7 +47,7 @@ Binding<Film> velocities_key() {
                                       [](bool shown) {
                                           return Arrows{shown, {}};
                                       }),
-                               mapped(number(positive), [](double scale) {
+                               mapped(number(positive, quantities::time), [](double scale) {
                                    return Arrows{true, scale};
                                }));
     return bind_with<Film>("velocities", fill, arrows,
@@ -91,9 +91,9 @@ Notation<Trails> trails_notation() {
 Notation<SlowSpan> slow_notation() {
     return complete_mapping(KeyTable<SlowSpan>{
         .name = "an item of `slow`",
-        .keys = {bind_key("from", &SlowSpan::from, number(not_negative),
+        .keys = {bind_key("from", &SlowSpan::from, number(not_negative, quantities::time),
                           "The simulated time at which it begins."),
-                 bind_key("to", &SlowSpan::to, number(positive),
+                 bind_key("to", &SlowSpan::to, number(positive, quantities::time),
                           "The simulated time at which it ends, at most `until`.")
                      .default_text("until"),
                  bind_key("factor", &SlowSpan::factor, number({0.001, {1.0}}),
@@ -111,7 +111,7 @@ Binding<Film> sound_key() {
             bind_key("loudness", &Sound::loudness, number({0.01, {1.0}}),
                      "The largest sample, as a share of full scale. Where clicks come so close "
                      "that together they would be louder, all of them are softened."),
-            bind_key("reference", &Sound::reference, number(positive),
+            bind_key("reference", &Sound::reference, number(positive, quantities::momentum),
                      "The impulse of a collision that sounds at 880 Hz. Twice the impulse is "
                      "an octave higher; pitches lie between 220 and 7040 Hz.")
                 .default_text("the momentum of a particle of the mean mass and the mean "
@@ -142,7 +142,7 @@ std::vector<Binding<FilmDraft>> picture_keys() {
         bind_key("seconds", &FilmDraft::given_seconds, number({0.01, most_seconds}),
                  "The length of the whole film, cards and pauses included.")
             .tried_as({"duration", "length", "time"}),
-        bind_key("pace", &FilmDraft::pace, number(positive),
+        bind_key("pace", &FilmDraft::pace, number(positive, quantities::time),
                  "Instead of `seconds`: simulated time per second of film."),
         bind_key("fps", &Film::fps, whole(1, most_frames_per_second), "Frames in a second.")
             .tried_as({"framerate", "frame_rate", "rate", "frames"}),
@@ -325,6 +325,7 @@ void choose_panels(Node& film, std::size_t places, PanelKinds kinds, const Readi
         const Node* name = panel.is_mapping() ? given(panel, "kind") : &panel;
         const PanelKind* kind = name != nullptr ? kind_of(kinds, name->text) : nullptr;
         if (kind == nullptr) return true;
+        if (reading.units == UnitSystem::real && !kind->shows_units) return false;
         if (is_beside && !kind->can(Ability::comparison)) return false;
         if (reading.box().dimension == 3 && !kind->in_space_instead.empty()) return false;
         return !kind->suits || kind->suits(reading.gas, reading.run);

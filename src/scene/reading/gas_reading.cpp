@@ -7,6 +7,7 @@
 #include <set>
 
 #include "physics/gas.h"
+#include "physics/units/unit_table.h"
 #include "scene/lettering/word_places.h"
 #include "scene/limits.h"
 #include "scene/yaml/scalar.h"
@@ -78,8 +79,9 @@ Notation<PositionDraft> position_notation(int dimension) {
                                      return on_lattice ? PositionDraft{LatticePlaces{}}
                                                        : PositionDraft{RandomPlaces{}};
                                  });
-    return either(anywhere, either(mapping(part_table(dimension), phrase),
-                                   as<PositionDraft>(as<Places>(points(dimension)))));
+    return either(anywhere,
+                  either(mapping(part_table(dimension), phrase),
+                         as<PositionDraft>(as<Places>(points(dimension, quantities::length)))));
 }
 
 Notation<Temperature> temperature_notation() {
@@ -88,10 +90,10 @@ Notation<Temperature> temperature_notation() {
     };
     const KeyTable<Exact> table{
         .name = "`temperature`",
-        .keys = {bind_key("exact", &Exact::value, number(not_negative),
+        .keys = {bind_key("exact", &Exact::value, number(not_negative, quantities::temperature),
                           "The temperature of the particles at the start, exact to the last digit.")
                      .required()}};
-    return either(as<Temperature>(number(not_negative)),
+    return either(as<Temperature>(number(not_negative, quantities::temperature)),
                   mapped(mapping(table, "{exact: T}"), [](const Exact& its) {
                       return Temperature{its.value, true};
                   }));
@@ -100,54 +102,56 @@ Notation<Temperature> temperature_notation() {
 std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
     const bool wire = dimension == 1, plane = dimension == 2;
     const auto mass =
-        either(as<MassRule>(rule_for(positive)),
+        either(as<MassRule>(rule_for(positive, quantities::mass)),
                as<MassRule>(one_of<Infinite>({{"infinite", {}}})
                                 .with_elsewhere({{"inf", "did you mean `infinite`?"},
                                                  {".inf", "did you mean `infinite`?"},
                                                  {"∞", "did you mean `infinite`?"},
                                                  {"fixed", "did you mean `infinite`?"}})));
-    return {bind_key("name", &Species::name, text(1, most_name_letters),
-                     "The name of the species, shown in legends.")
-                .default_text("required when there are several species"),
-            bind_key("count", &Species::count, whole(1, most_particles), "The number of particles.")
-                .tried_as({"n", "N", "number", "num", "amount", "particles"})
-                .default_text(fmt::format("the number of positions listed, or of {} in a `text`",
-                                          dimension == 3 ? "spheres" : "disks")),
-            bind_key("radius", &SpeciesReading::written_radius,
-                     rule_for(wire ? not_negative : positive),
-                     wire    ? "Half the length of each bead: 0 is a point."
-                     : plane ? "The radius of each disk."
-                             : "The radius of each sphere.")
-                .tried_as({"r", "R", "size"})
-                .default_value(wire ? "0" : number_text(std::get<double>(Species{}.radius))),
-            bind_key("mass", &Species::mass, mass,
-                     "The mass of each particle. Collisions do not change the velocity of a "
-                     "particle of mass `infinite`.")
-                .tried_as({"m", "M", "weight"}),
-            bind_key("density", &Species::mass, as<Density>(rule_for(positive)),
-                     wire    ? "Instead of `mass`: mass = density * 2 radius."
-                     : plane ? "Instead of `mass`: mass = density * pi * radius^2."
-                             : "Instead of `mass`: mass = density * 4/3 * pi * radius^3."),
-            bind_key("speed", &Species::velocity, as<Speed>(rule_for(not_negative)),
-                     fmt::format("The speed of each particle, {}. Where momentum is conserved, as "
-                                 "in a periodic {}, the directions are such that all momenta of "
-                                 "particles with a `speed` sum to zero.",
-                                 wire ? "to the left or to the right" : "in a random direction",
-                                 wire ? "wire" : "box"))
-                .tried_as({"v"}),
-            bind_key("velocity", &Species::velocity, as<Velocity>(points(dimension)),
-                     "One velocity for all particles, or a list with one for each."),
-            bind_key("temperature", &Species::velocity, temperature_notation(),
-                     "Velocities sampled from the Maxwell-Boltzmann distribution at this "
-                     "temperature. The sample's own temperature differs from it by chance; with "
-                     "{exact: T} the velocities are scaled to make it T.")
-                .tried_as({"T", "temp", "energy"})
-                .default_text("at rest"),
-            bind_key("position", &SpeciesReading::written_position, position_notation(dimension),
-                     "Where the particles start: at random, evenly spaced, in a part of the box, "
-                     "or at listed positions.")
-                .tried_as({"pos", "x", "place", "places", "start"})
-                .default_value("random")};
+    return {
+        bind_key("name", &Species::name, text(1, most_name_letters),
+                 "The name of the species, shown in legends.")
+            .default_text("required when there are several species"),
+        bind_key("count", &Species::count, whole(1, most_particles), "The number of particles.")
+            .tried_as({"n", "N", "number", "num", "amount", "particles"})
+            .default_text(fmt::format("the number of positions listed, or of {} in a `text`",
+                                      dimension == 3 ? "spheres" : "disks")),
+        bind_key("radius", &SpeciesReading::written_radius,
+                 rule_for(wire ? not_negative : positive, quantities::length),
+                 wire    ? "Half the length of each bead: 0 is a point."
+                 : plane ? "The radius of each disk."
+                         : "The radius of each sphere.")
+            .tried_as({"r", "R", "size"})
+            .default_value(wire ? "0" : number_text(std::get<double>(Species{}.radius))),
+        bind_key("mass", &Species::mass, mass,
+                 "The mass of each particle. Collisions do not change the velocity of a "
+                 "particle of mass `infinite`.")
+            .tried_as({"m", "M", "weight"}),
+        bind_key("density", &Species::mass,
+                 as<Density>(rule_for(positive, quantities::mass / quantities::content(dimension))),
+                 wire    ? "Instead of `mass`: mass = density * 2 radius."
+                 : plane ? "Instead of `mass`: mass = density * pi * radius^2."
+                         : "Instead of `mass`: mass = density * 4/3 * pi * radius^3."),
+        bind_key("speed", &Species::velocity, as<Speed>(rule_for(not_negative, quantities::speed)),
+                 fmt::format("The speed of each particle, {}. Where momentum is conserved, as "
+                             "in a periodic {}, the directions are such that all momenta of "
+                             "particles with a `speed` sum to zero.",
+                             wire ? "to the left or to the right" : "in a random direction",
+                             wire ? "wire" : "box"))
+            .tried_as({"v"}),
+        bind_key("velocity", &Species::velocity, as<Velocity>(points(dimension, quantities::speed)),
+                 "One velocity for all particles, or a list with one for each."),
+        bind_key("temperature", &Species::velocity, temperature_notation(),
+                 "Velocities sampled from the Maxwell-Boltzmann distribution at this "
+                 "temperature. The sample's own temperature differs from it by chance; with "
+                 "{exact: T} the velocities are scaled to make it T.")
+            .tried_as({"T", "temp", "energy"})
+            .default_text("at rest"),
+        bind_key("position", &SpeciesReading::written_position, position_notation(dimension),
+                 "Where the particles start: at random, evenly spaced, in a part of the box, "
+                 "or at listed positions.")
+            .tried_as({"pos", "x", "place", "places", "start"})
+            .default_value("random")};
 }
 
 std::vector<Binding<SpeciesLook>> look_keys(int dimension) {
@@ -165,13 +169,15 @@ std::vector<Binding<SpeciesLook>> look_keys(int dimension) {
                  "The length of the particles' trails, in seconds of film.")
             .default_text("as the film's `trails` say")};
     if (dimension == 1)
-        keys.push_back(bind_key("drawn_radius", &SpeciesLook::drawn_radius, number(not_negative),
+        keys.push_back(bind_key("drawn_radius", &SpeciesLook::drawn_radius,
+                                number(not_negative, quantities::length),
                                 "The radius with which the beads are drawn; they are moved apart "
                                 "so that they seem to touch when they collide. With 0, points are "
                                 "drawn as dots where they are, and their world lines cross.")
                            .default_text("the radius, or 0.4 of the mean spacing for points"));
     else
-        keys.push_back(bind_key("drawn_radius", &SpeciesLook::drawn_radius, number(positive),
+        keys.push_back(bind_key("drawn_radius", &SpeciesLook::drawn_radius,
+                                number(positive, quantities::length),
                                 fmt::format("The radius with which {} are drawn that are too small "
                                             "to be seen. They overlap in the picture where they "
                                             "pass each other, and the picture gives their true "
@@ -219,8 +225,19 @@ std::int64_t counted_places(const SpeciesReading& draft, const Node& item, Error
     return 0;
 }
 
+// In real units no radius or mass is usual.
+void check_matter_is_given(const Node& item, int dimension, Errors& errors) {
+    if (dimension > 1 && find(item, "radius") == nullptr)
+        errors.add(item, "in real units an item of `gas` needs `radius`",
+                   fmt::format("for instance `radius: {}`", unit_example(quantities::length)));
+    if (find(item, "mass") == nullptr && find(item, "density") == nullptr)
+        errors.add(item, "in real units an item of `gas` needs `mass` or `density`",
+                   fmt::format("for instance `mass: {}`", unit_example(quantities::mass)));
+}
+
 // Applies the rules between the keys of a species.
-void complete_species(SpeciesReading& draft, const Node& item, int dimension, Errors& errors) {
+void complete_species(SpeciesReading& draft, const Node& item, int dimension, UnitSystem units,
+                      Errors& errors) {
     draft.node = &item;
     if (draft.written_radius) draft.radius = *draft.written_radius;
     const auto& [rule, letters, side, side_of] = draft.written_position;
@@ -248,6 +265,7 @@ void complete_species(SpeciesReading& draft, const Node& item, int dimension, Er
                                                 draft.count, errors))
             draft.position = *pattern;
     if (draft.count == 0) draft.count = counted_places(draft, item, errors);
+    if (units == UnitSystem::real) check_matter_is_given(item, dimension, errors);
     if (draft.count > 0)
         for (std::string_view key : {"radius", "mass", "density", "speed", "velocity", "position"})
             check_list_length(item, key, draft.count, dimension, errors);
@@ -261,7 +279,7 @@ KeyTable<SpeciesReading> species_table(int dimension) {
         .choices = {{{"mass", "density"}}, {{"speed", "velocity", "temperature"}}},
         .refused = inelastic_keys(),
         .rule = [dimension](SpeciesReading& draft, const Node& item, Reading& reading) {
-            complete_species(draft, item, dimension, reading.errors);
+            complete_species(draft, item, dimension, reading.units, reading.errors);
         }};
     table.refused.push_back(
         {"diameter", "there is no `diameter`", "give `radius`, which is half of it"});

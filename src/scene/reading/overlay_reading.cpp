@@ -20,9 +20,9 @@ bool holds(const TimeSpan& span, double time) {
 
 // The keys of a span of time; `until` is the name of the second one.
 std::vector<Binding<TimeSpan>> span_keys(const char* until) {
-    return {bind_key("from", &TimeSpan::from, number(not_negative),
+    return {bind_key("from", &TimeSpan::from, number(not_negative, quantities::time),
                      "The simulated time at which it appears."),
-            bind_key(until, &TimeSpan::until, number(positive),
+            bind_key(until, &TimeSpan::until, number(positive, quantities::time),
                      "The simulated time at which it disappears.")
                 .default_text("the end of the film")};
 }
@@ -86,9 +86,11 @@ Notation<CalloutDraft> target_notation() {
         .keys = {bind_key("panel", &Target::panel, kept(text(1, most_title_letters)),
                           "A panel of the film, by its kind or its title.")
                      .required(),
-                 bind_key("x", &Target::x, number(any_number), "The place on its horizontal axis.")
+                 bind_key("x", &Target::x, number_of_any_quantity(any_number),
+                          "The place on its horizontal axis.")
                      .required(),
-                 bind_key("y", &Target::y, number(any_number), "The place on its vertical axis.")
+                 bind_key("y", &Target::y, number_of_any_quantity(any_number),
+                          "The place on its vertical axis.")
                      .default_text("the top of the bar or line at `x`")}};
     const auto of_plot = parsed(complete_mapping(table, "{panel: kind, x: value}"),
                                 [](const Target& target, const Node& node, Reading&) {
@@ -121,7 +123,7 @@ Notation<std::vector<CalloutDraft>> callouts_notation() {
     };
     const KeyTable<Written> table{
         .name = "an item of `callouts`",
-        .keys = {bind_key("at", &Written::at, number(not_negative),
+        .keys = {bind_key("at", &Written::at, number(not_negative, quantities::time),
                           "The simulated time at which it appears.")
                      .required(),
                  bind_key("for", &Written::seconds, number({1.0, most_seconds}),

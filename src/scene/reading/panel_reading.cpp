@@ -253,7 +253,7 @@ Notation<Over> over_notation() {
         one_of<Over::Since>({{"now", Over::Since::now}, {"start", Over::Since::start}});
     const KeyTable<Over> window{
         .name = "`over`",
-        .keys = {bind_key("window", &Over::window, number(positive),
+        .keys = {bind_key("window", &Over::window, number(positive, quantities::time),
                           "The length of the window before the present, in simulated time.")
                      .required()},
         .rule = [](Over& over, const Node&, Reading&) { over.since = Over::Since::window; }};
@@ -333,6 +333,22 @@ void complete_panel(PanelSpec& panel, const Node& node, PanelKinds kinds, Readin
     if (kind->rule) kind->rule(panel, node, reading);
 }
 
+void check_units(const PanelSpec& panel, const Node& node, PanelKinds kinds, Reading& reading) {
+    const PanelKind* kind = kind_of(kinds, panel.kind);
+    const bool is_chosen_later = node.source->origin == Origin::template_file;
+    if (reading.units != UnitSystem::real || is_chosen_later || kind == nullptr ||
+        kind->shows_units)
+        return;
+    std::vector<std::string> others;
+    for (const PanelKind& other : kinds)
+        if (other.shows_units) others.push_back(other.name);
+    const Node* name = node.is_mapping() ? given(node, "kind") : &node;
+    reading.errors.add(
+        name != nullptr ? *name : node,
+        fmt::format("`{}` does not show the units of a scene with `units: real`", panel.kind),
+        "these do: " + listed(others, "and", "`"));
+}
+
 // A histogram of a few particles at one time would consist of a few bars of height one. Counted
 // since the start, they form a distribution, so that this is the default for few particles.
 void complete_over(PanelSpec& panel, PanelKinds kinds, const Gas& gas) {
@@ -365,11 +381,13 @@ Notation<std::vector<PanelSpec>> panels_notation(PanelKinds kinds) {
         .keys = panel_keys(kinds, kind_key(names), {over, show}),
         .rule = [kinds](PanelSpec& panel, const Node& node, Reading& reading) {
             complete_panel(panel, node, kinds, reading);
+            check_units(panel, node, kinds, reading);
             complete_over(panel, kinds, reading.gas);
         }};
     const auto alone = [kinds](std::string name, const Node& node, Reading& reading) {
         PanelSpec panel{.kind = std::move(name)};
         complete_panel(panel, node, kinds, reading);
+        check_units(panel, node, kinds, reading);
         complete_over(panel, kinds, reading.gas);
         return std::optional(std::move(panel));
     };

@@ -49,6 +49,10 @@ Binding<T> theme_key(ThemeName T::*theme) {
 
 /// Applies the rules between the keys of a panel. `node` is the panel's mapping, or the name of its
 /// kind alone.
+/// Refuses a kind that does not show real units, in a scene that has them. For the panels of films
+/// and for figures.
+void check_units(const PanelSpec& panel, const Node& node, PanelKinds kinds, Reading& reading);
+
 void complete_panel(PanelSpec& panel, const Node& node, PanelKinds kinds, Reading& reading);
 
 /// Returns the names of the kinds that have an ability.

@@ -104,14 +104,14 @@ KeyTable<RunReading> run_table(int dimension) {
     return {
         .name = "`run`",
         .keys =
-            {bind_key("until", &Run::until, number(positive),
+            {bind_key("until", &Run::until, number(positive, quantities::time),
                       "The end of the run, in simulated time.")
                  .required()
                  .tried_as(
                      {"duration", "end", "time", "length", "t_end", "t", "stop", "to", "for"}),
-             bind_key("equilibrate", &Run::equilibrate, number(not_negative),
+             bind_key("equilibrate", &Run::equilibrate, number(not_negative, quantities::time),
                       "Simulated time before time 0, neither shown nor counted."),
-             bind_key("sample_every", &Run::sample_every, number(positive),
+             bind_key("sample_every", &Run::sample_every, number(positive, quantities::time),
                       "Simulated time between samples of the statistics, which are taken at 0, at "
                       "multiples of this time, and at the end: the rows of `run --csv`, and "
                       "the points of curves against time in films and figures. They do not "
@@ -122,7 +122,7 @@ KeyTable<RunReading> run_table(int dimension) {
                  "precision", &Run::bits, bits_notation(),
                  "The precision of the arithmetic: `double`, with 53 bits; a number of bits; or "
                  "`auto`: as many bits as the return after every reversal needs, found by trial."),
-             bind_key("time_step", &Run::time_step, number(positive),
+             bind_key("time_step", &Run::time_step, number(positive, quantities::time),
                       "Advances disks in steps of this length instead of from contact to contact, "
                       "as simple programs do: at the end of each step, disks that overlap and "
                       "approach each other collide at the places they have then. For comparison "

@@ -34,12 +34,19 @@ KeyTable<SceneDraft> new_table(PanelKinds kinds, int dimension) {
                      .default_text("made from the scene's content"),
                  bind_key("seed", &Scene::seed, whole(0, largest_seed),
                           "Fixes every random choice."),
+                 bind_key("units", &Scene::units, one_of<UnitSystem>(),
+                          "The units of all numbers that describe the gas, its run and what is "
+                          "shown of them: `reduced`, plain numbers whose units of length, mass and "
+                          "time you choose; or `real`, each with its unit, such as `0.17 nm`, "
+                          "`39.948 u`, `60 ps`, `300 K`.")
+                     .tried_as({"unit", "unit_system"}),
                  bind_key("box", &SceneDraft::box, box_notation(dimension),
                           "The box that holds the gas.")
                      .required(),
-                 bind_key("gravity", &SurfacesDraft::gravity,
-                          placed(vector_of(dimension, any_number)),
-                          "The acceleration of every particle and every piston.")
+                 bind_key(
+                     "gravity", &SurfacesDraft::gravity,
+                     placed(vector_of(dimension, any_number, quantities::speed / quantities::time)),
+                     "The acceleration of every particle and every piston.")
                      .default_text("none"),
                  bind_key("partitions", &SurfacesDraft::partitions, partitions_notation(dimension),
                           dimension == 3

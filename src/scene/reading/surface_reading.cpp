@@ -25,10 +25,11 @@ struct SpeedsDraft {
 Notation<Membrane::Speeds> speeds_notation() {
     const KeyTable<SpeedsDraft> table{
         .name = "the speeds of a demon",
-        .keys = {bind_key("faster_than", &SpeedsDraft::faster_than, number(not_negative),
-                          "Particles faster than this pass."),
-                 bind_key("slower_than", &SpeedsDraft::slower_than, number(positive),
-                          "Particles slower than this pass; with both keys, those in between.")}};
+        .keys = {
+            bind_key("faster_than", &SpeedsDraft::faster_than,
+                     number(not_negative, quantities::speed), "Particles faster than this pass."),
+            bind_key("slower_than", &SpeedsDraft::slower_than, number(positive, quantities::speed),
+                     "Particles slower than this pass; with both keys, those in between.")}};
     return parsed(mapping(table, "{faster_than: u} or {slower_than: u}"),
                   [](const SpeedsDraft& draft, const Node& node,
                      Reading& reading) -> std::optional<Membrane::Speeds> {
@@ -146,10 +147,10 @@ void complete_partition(PartitionDraft& draft, const Node& node, Reading& readin
 // A gap in a plane has two ends, one in space two corners.
 Notation<Gap> gap_notation(int dimension) {
     if (dimension == 2)
-        return mapped(pair_of(any_number, "[from, to]"),
+        return mapped(pair_of(number(any_number, quantities::length), "[from, to]"),
                       [](const TwoNumbers& ends) { return Gap(ends[0], ends[1]); });
     const auto rectangle =
-        list_of(number(any_number), 4, {4}, "[a0, b0, a1, b1]")
+        list_of(number(any_number, quantities::length), 4, {4}, "[a0, b0, a1, b1]")
             .with_list_hint(
                 "a gap is a rectangle: the coordinates of its lower corner, then those "
                 "of its upper one, without that of the partition's own axis, for "
@@ -168,15 +169,15 @@ Notation<Gap> gap_notation(int dimension) {
 
 std::vector<Binding<PartitionDraft>> place_keys(int dimension) {
     if (dimension == 2)
-        return {bind_key("x", &PartitionDraft::x, number(any_number),
+        return {bind_key("x", &PartitionDraft::x, number(any_number, quantities::length),
                          "The x coordinate of a partition that goes from bottom to top."),
-                bind_key("y", &PartitionDraft::y, number(any_number),
+                bind_key("y", &PartitionDraft::y, number(any_number, quantities::length),
                          "The y coordinate of a partition that goes from left to right.")};
-    return {bind_key("x", &PartitionDraft::x, number(any_number),
+    return {bind_key("x", &PartitionDraft::x, number(any_number, quantities::length),
                      "The x coordinate of a partition between left and right."),
-            bind_key("y", &PartitionDraft::y, number(any_number),
+            bind_key("y", &PartitionDraft::y, number(any_number, quantities::length),
                      "The y coordinate of a partition between bottom and top."),
-            bind_key("z", &PartitionDraft::z, number(any_number),
+            bind_key("z", &PartitionDraft::z, number(any_number, quantities::length),
                      "The z coordinate of a partition between back and front.")};
 }
 
@@ -251,9 +252,10 @@ void complete_obstacle(ObstacleDraft& draft, const Node& node, int dimension, Re
 
 // The shapes of a plane.
 std::vector<Binding<ObstacleDraft>> flat_keys() {
-    const auto point = vector_of(2, any_number);
+    const auto point = vector_of(2, any_number, quantities::length);
     return {bind_key("disk", &ObstacleDraft::center, point, "The centre of a disk."),
-            bind_key("radius", &ObstacleDraft::radius, number(positive), "The radius of the disk."),
+            bind_key("radius", &ObstacleDraft::radius, number(positive, quantities::length),
+                     "The radius of the disk."),
             bind_key("rectangle", &ObstacleDraft::block,
                      corners_of(2, "rectangle", "write the lower left corner first"),
                      "A block from x0 to x1 and from y0 to y1."),
@@ -267,15 +269,15 @@ std::vector<Binding<ObstacleDraft>> flat_keys() {
 
 // The shapes of space.
 std::vector<Binding<ObstacleDraft>> solid_keys() {
-    return {
-        bind_key("sphere", &ObstacleDraft::center, vector_of(3, any_number),
-                 "The centre of a sphere.")
-            .tried_as({"ball"}),
-        bind_key("radius", &ObstacleDraft::radius, number(positive), "The radius of the sphere."),
-        bind_key("cuboid", &ObstacleDraft::block,
-                 corners_of(3, "cuboid", "write the lower left corner at the back first"),
-                 "A block from x0 to x1, from y0 to y1 and from z0 to z1.")
-            .tried_as({"box", "block", "cube"})};
+    return {bind_key("sphere", &ObstacleDraft::center, vector_of(3, any_number, quantities::length),
+                     "The centre of a sphere.")
+                .tried_as({"ball"}),
+            bind_key("radius", &ObstacleDraft::radius, number(positive, quantities::length),
+                     "The radius of the sphere."),
+            bind_key("cuboid", &ObstacleDraft::block,
+                     corners_of(3, "cuboid", "write the lower left corner at the back first"),
+                     "A block from x0 to x1, from y0 to y1 and from z0 to z1.")
+                .tried_as({"box", "block", "cube"})};
 }
 
 KeyTable<ObstacleDraft> obstacle_table(int dimension) {

@@ -237,7 +237,7 @@ KeyTable<LayoutDraft> layout_table() {
     return {
         .name = "`layout`",
         .keys =
-            {bind_key("grid", &LayoutDraft::grid, pair_of(sides, "[width, height]"),
+            {bind_key("grid", &LayoutDraft::grid, pair_of(number(sides), "[width, height]"),
                       "Width and height of the picture in units of the layout; one unit is the "
                       "smallest size of text.")
                  .required(),

@@ -120,20 +120,21 @@ KeyTable<SidesByName> sides_table(int dimension) {
 
 KeyTable<BoxDraft> box_table(int dimension) {
     const bool is_space = dimension == 3;
-    const auto plane = vector_of(2, positive, "[width, height]")
+    const auto plane = vector_of(2, positive, quantities::length, "[width, height]")
                            .with_list_hint("a box has a width and a height, and in space a depth");
     return {
         .name = "`box`",
         .keys =
-            {bind_key("size", &Box::size,
-                      is_space ? vector_of(3, positive, "[width, height, depth]") : plane,
-                      is_space
-                          ? "Width, height and depth of the box; x goes to the right, y up, "
+            {bind_key(
+                 "size", &Box::size,
+                 is_space ? vector_of(3, positive, quantities::length, "[width, height, depth]")
+                          : plane,
+                 is_space ? "Width, height and depth of the box; x goes to the right, y up, "
                             "and z toward the viewer, each from 0."
                           : "Width and height of the box; x goes from 0 to the width, y from 0 to "
                             "the height. With a third length, the depth, it is a box in space.")
                  .tried_as({"width", "height", "dimensions", "dims", "L"}),
-             bind_key("length", &Box::size, vector_of(1, positive),
+             bind_key("length", &Box::size, vector_of(1, positive, quantities::length),
                       "Instead of `size`: the length of a wire; x goes from 0 to the length."),
              bind_key(
                  "walls", &BoxDraft::sides, sides_notation(dimension),
@@ -149,18 +150,19 @@ KeyTable<BoxDraft> box_table(int dimension) {
 
 std::vector<Binding<ActingDraft>> acting_keys() {
     return {
-        bind_key("temperature", &ActingDraft::temperature, number(positive),
+        bind_key("temperature", &ActingDraft::temperature,
+                 number(positive, quantities::temperature),
                  "Makes it a heat bath: particles leave it as if they came from a gas of this "
                  "temperature."),
-        bind_key("mass", &ActingDraft::mass, number(positive),
+        bind_key("mass", &ActingDraft::mass, number(positive, quantities::mass),
                  "Makes it a piston of this mass, which moves freely along its normal."),
-        bind_key("force", &ActingDraft::force, number(any_number),
+        bind_key("force", &ActingDraft::force, number(any_number, quantities::force),
                  "A constant force on a piston, along its normal.")
             .default_text("0"),
-        bind_key("velocity", &ActingDraft::velocity, number(any_number),
+        bind_key("velocity", &ActingDraft::velocity, number(any_number, quantities::speed),
                  "Its velocity along its normal, which collisions do not change; for a piston, the "
                  "velocity at the start."),
-        bind_key("until", &ActingDraft::until, number(positive),
+        bind_key("until", &ActingDraft::until, number(positive, quantities::time),
                  "The simulated time at which a surface with a given velocity stops.")
             .default_text("never")};
 }

@@ -254,7 +254,7 @@ std::shared_ptr<const SetDefaults> defaults_of(const SetReading& set, const fs::
 FigureSpec figure_of(const SetComparison& comparison, const Scene& scene, PanelKinds kinds) {
     Errors errors;
     std::vector<NumberInWords> numbers;
-    Reading reading{errors, scene.gas, scene.run, numbers};
+    Reading reading{errors, scene.gas, scene.run, numbers, scene.units};
     auto figure = figure_notation(kinds).read(comparison.node, reading);
     refuse(numbers);
     errors.throw_if_any();

@@ -122,7 +122,8 @@ std::string described(const Node& node) {
         case Node::Kind::null:
             return "nothing";
         case Node::Kind::scalar:
-            return node.quoted ? "the text " + in_quotes(node.text) : in_quotes(node.text);
+            return node.quoted ? "the text " + in_quotes(node.text)
+                               : in_quotes(node.written.empty() ? node.text : node.written);
         case Node::Kind::list:
             return node.items.empty() ? "an empty list"
                                       : fmt::format("a list of {}", node.items.size());

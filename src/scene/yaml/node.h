@@ -33,8 +33,9 @@ struct Node {
     bool quoted = false;  ///< a scalar in quotes, or a block of text: never a number or a flag
     bool valid = true;    ///< the check sets it to false; readers treat an invalid value as absent
     const Source* source = nullptr;
-    std::size_t offset = 0;  ///< byte in the source's text; for an empty value, that of its key
-    std::string text = {};   ///< for a scalar
+    std::size_t offset = 0;    ///< byte in the source's text; for an empty value, that of its key
+    std::string text = {};     ///< for a scalar
+    std::string written = {};  ///< the text before its unit was converted; empty: as in `text`
     std::vector<Node> items = {};  ///< for a list, its items; for a mapping, its values
     std::vector<Node> keys = {};   ///< for a mapping: scalars, one for each of `items`
 

@@ -174,7 +174,8 @@ std::string number_hint(const Node& node) {
         if (minutes && seconds) return fmt::format("write `{}`", 60.0 * *minutes + *seconds);
     }
     if (const std::string number = before_unit(node.text); !number.empty())
-        return fmt::format("quantities have no units in carom: write `{}`", number);
+        return fmt::format("write `{}`: numbers have units only in a scene with `units: real`",
+                           number);
     const bool has_digit = word.find_first_of("0123456789") != std::string::npos;
     if (has_digit && (word.find_first_of("*^/") != std::string::npos || word.ends_with("pi") ||
                       word.ends_with("π")))

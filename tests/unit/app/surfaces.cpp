@@ -184,16 +184,16 @@ TEST_CASE("events of surfaces are named in descriptions and beside the film") {
                         {3.0, ChangeSurface{1, Bath{4.0}}},
                         {3.0, Heat{std::nullopt, -2.5}}};
     CHECK(
-        words_of_events(Language::english, scene.run, scene.gas) ==
+        words_of_events({Language::english}, scene.run, scene.gas) ==
         "At time 1: The partition “door” opens. At time 2: The partition “door” closes. At time "
         "2: The partition “door” moves at velocity −0.5. At time 2: The right wall stands still "
         "from now "
         "on. At time 2: The partition “piston” is held. At time 3: The partition “piston” is "
         "released. At time 3: The right wall becomes a heat bath of temperature 4. At time 3: The "
         "gas loses the energy 2.5.");
-    CHECK(words_of_surface_event(Language::english, {0.0, Heat{0, Temperature{3.0}}}, scene.gas) ==
-          "“a” is brought to temperature 3");
-    CHECK(words_of_surface_event(Language::english, {0.0, ReverseVelocities{}}, scene.gas) == "");
+    CHECK(words_of_surface_event({Language::english}, {0.0, Heat{0, Temperature{3.0}}},
+                                 scene.gas) == "“a” is brought to temperature 3");
+    CHECK(words_of_surface_event({Language::english}, {0.0, ReverseVelocities{}}, scene.gas) == "");
 
     const Scene still = drifting_piston();
     Scene told = scene;  // what happens is told by the scene, what is seen by the simulation

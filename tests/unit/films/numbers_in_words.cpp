@@ -123,7 +123,7 @@ TEST_CASE("numbers are written in the language of the scene") {
     CHECK(scene.captions.front().words.find(',') != std::string::npos);
     const Quantity& energy = quantities::energy;
     const auto words = [&](double value, int digits, bool are_decimals) {
-        return number_words(Language::english,
+        return number_words({Language::english},
                             {.name = "x", .digits = digits, .are_decimals = are_decimals}, energy,
                             value);
     };
@@ -132,7 +132,7 @@ TEST_CASE("numbers are written in the language of the scene") {
     CHECK(words(-12.5, 1, true) == "\u221212.5");
     CHECK(words(-0.001, 1, true) == "0.0");
     CHECK(words(123456.0, 2, false) == "123456");
-    CHECK(number_words(Language::english, {.name = "x"}, quantities::count, 12345.0) ==
+    CHECK(number_words({Language::english}, {.name = "x"}, quantities::count, 12345.0) ==
           grouped(12345));
 }
 

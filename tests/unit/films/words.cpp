@@ -133,13 +133,13 @@ TEST_CASE("nudges are told when they come, and in descriptions made from the sce
     const int frames = static_cast<int>(timeline(scene).size());
     CHECK_FALSE(contains(words_of_span(scene, {0, 60}).transcript, "is moved"));
     CHECK_FALSE(contains(words_of_span(scene, {frames - 5, frames}).transcript, "is moved"));
-    CHECK(words_of_events(Language::english, scene.run, scene.gas) ==
+    CHECK(words_of_events({Language::english}, scene.run, scene.gas) ==
           "At time 4.5 all velocities are reversed. Particle 0 is moved by 3.00×10⁻⁴⁰ at time "
           "4.5. Particle 2 is moved by 0.00100 at time 8.");
     Run many;
-    CHECK(words_of_events(Language::english, many, scene.gas).empty());
+    CHECK(words_of_events({Language::english}, many, scene.gas).empty());
     for (int k = 1; k <= 4; ++k) many.events.push_back({double(k), Perturbation{0, {"0.1", "0"}}});
-    CHECK(words_of_events(Language::english, many, scene.gas) ==
+    CHECK(words_of_events({Language::english}, many, scene.gas) ==
           "A particle is moved by a small amount 4 times.");
 }
 

@@ -65,11 +65,12 @@ TEST_CASE("the words for a diffuse wall are there in every language") {
     std::size_t k = 0;
     for (const Language language :
          {Language::english, Language::german, Language::french, Language::spanish}) {
-        CHECK(words_of_surfaces(language, scene.gas).front() == at_start[k++]);
-        const std::string change = words_of_surface_event(language, scene.run.events[0], scene.gas);
+        CHECK(words_of_surfaces({language}, scene.gas).front() == at_start[k++]);
+        const std::string change =
+            words_of_surface_event({language}, scene.run.events[0], scene.gas);
         if (language != Language::english) CHECK(change.find("diffusely") == std::string::npos);
     }
-    CHECK(words_of_surface_event(Language::english, scene.run.events[0], scene.gas) ==
+    CHECK(words_of_surface_event({Language::english}, scene.run.events[0], scene.gas) ==
           "The right wall reflects diffusely from now on");
     CHECK(label_of_surface(Language::english, scene.gas, Diffuse{}, 0).empty());
 }

@@ -335,7 +335,7 @@ TEST_CASE("all four languages have words for space") {
     CHECK(name_of_surface(Language::spanish, 4, scene.gas) == "La pared trasera");
     CHECK(name_of_surface(Language::french, 5, scene.gas) == "La paroi avant");
     CHECK(particles_counted(Language::french, 1, 3) == "1 sphère");
-    CHECK(words_of(Language::english, Perturbation{2, {"0.003", "0", "0.004"}}) ==
+    CHECK(words_of({Language::english}, Perturbation{2, {"0.003", "0", "0.004"}}) ==
           "Particle 2 is moved by 0.00500");
 }
 

@@ -113,7 +113,7 @@ Notation<Region> region_notation(const std::string& key, const std::string& inst
                         : "the box goes from 0 to its size");
         return std::nullopt;
     };
-    return parsed(list_of(number(any_number), 2, {6}, corners(2)), part);
+    return parsed(list_of(number(any_number, quantities::length), 2, {6}, corners(2)), part);
 }
 
 Notation<View> view_notation() {
@@ -187,7 +187,7 @@ std::optional<CameraMove> camera_move(const CameraDraft& draft, const Node& node
 Notation<std::vector<CameraMove>> camera_notation() {
     const KeyTable<CameraDraft> table{
         .name = "an item of `camera`",
-        .keys = {bind_key("at", &CameraDraft::at, number(not_negative),
+        .keys = {bind_key("at", &CameraDraft::at, number(not_negative, quantities::time),
                           "The simulated time at which the move begins.")
                      .required(),
                  bind_key("view", &CameraDraft::view, view_notation(),
@@ -195,7 +195,7 @@ Notation<std::vector<CameraMove>> camera_notation() {
                  bind_key("follow", &CameraDraft::follow, chosen_notation(),
                           "Instead of `view`: what stays in the middle, a particle or a species' "
                           "centre of mass."),
-                 bind_key("width", &CameraDraft::width, number(positive),
+                 bind_key("width", &CameraDraft::width, number(positive, quantities::length),
                           "With `follow`: the width of the visible part, as a length."),
                  bind_key("viewpoint", &CameraDraft::viewpoint, viewpoint_notation(),
                           "In space, from where the box is seen after the move."),

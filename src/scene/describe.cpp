@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "physics/reversal/mirrored_events.h"
+#include "physics/units/gas_table.h"
 #include "physics/vec.h"
 #include "physics/ways_back.h"
 #include "scene/scene.h"
@@ -403,6 +404,18 @@ std::string words_of_events(const Wording& wording, const Run& run, const Gas& g
     return fmt::format("{}", fmt::join(sentences, " "));
 }
 
+std::string words_of_molecules(Language language, const std::vector<const NamedGas*>& gases) {
+    std::vector<std::string> names;
+    for (const NamedGas* gas : gases) {
+        if (gas == nullptr || gas->is_monatomic) continue;
+        std::string name = say(language, gas->name);
+        if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
+    }
+    if (names.empty()) return "";
+    return say(language, "The molecules ({}) are spheres here, which neither rotate nor vibrate.",
+               listed(language, names));
+}
+
 std::string describe(const Scene& scene) {
     const Wording wording = wording_of(scene);
     const Gas& gas = scene.gas;
@@ -416,6 +429,9 @@ std::string describe(const Scene& scene) {
     std::vector<std::string> sentences{
         alone ? say(wording, "{} starts {} and collides elastically.", all_groups, where)
               : say(wording, "{} start {} and collide elastically.", all_groups, where)};
+    if (const std::string molecules = words_of_molecules(wording, scene.named_gases);
+        !molecules.empty())
+        sentences.push_back(molecules);
     if (!passage.empty()) sentences.push_back(passage);
     constexpr std::size_t most_told = 10;
     const std::vector<std::string> surfaces = words_of_surfaces(wording, gas);

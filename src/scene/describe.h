@@ -12,11 +12,15 @@
 namespace carom {
 
 struct Gas;
+struct NamedGas;
 
 struct Scene;
 
 /// Returns what the film shows, in a few plain sentences.
 std::string describe(const Scene& scene);
+
+/// Returns a sentence that the molecules among these gases are spheres; empty without molecules.
+std::string words_of_molecules(Language language, const std::vector<const NamedGas*>& gases);
 
 /// Returns a count of particles, "1 disk", "30 beads" or "9 spheres", for a gas of the given
 /// dimension.

@@ -6,10 +6,13 @@
 
 #include "physics/events/time_step.h"
 #include "physics/sample_times.h"
+#include "physics/units/gas_table.h"
 #include "scene/describe.h"
+#include "scene/feasibility/box_size.h"
 #include "scene/feasibility/classroom.h"
 #include "scene/feasibility/feasibility.h"
 #include "scene/keys/check.h"
+#include "scene/keys/gas_values.h"
 #include "scene/keys/unit_conversion.h"
 #include "scene/left_out.h"
 #include "scene/numbers/known_numbers.h"
@@ -104,6 +107,8 @@ void place_surfaces(SceneDraft& draft, Errors& errors) {
     resolve_names(draft.written_run, placed, species, dimension, errors);
     if (!draft.box) return;
     draft.box->surfaces = placed.surfaces;
+    draft.asked_pressure = draft.box->pressure;
+    if (!size_by_pressure(*draft.box, draft.species, errors)) return draft.box.reset();
     draft.gas.box = *draft.box;
     place_beside_partitions(draft.species, draft.gas.box, placed.others, errors);
     draft.surface_nodes = placed.nodes;
@@ -125,6 +130,8 @@ void complete_physics(SceneDraft& draft, const Node& root, Errors& errors) {
     for (const SpeciesDraft& species : draft.species) {
         draft.gas.species.push_back(species);
         draft.looks.push_back(species);
+        draft.looks.back().scale = draft.scale;
+        draft.named_gases.push_back(species.named);
         draft.species_spans.push_back(place_of(*species.node));
     }
     draft.run = draft.written_run;
@@ -157,6 +164,13 @@ void complete_film(SceneDraft& draft, const SceneTree& tree, bool has_length,
     const bool has_subtitle_there = draft.film.layout.caption && !draft.subtitle.empty();
     if (!draft.captions.empty() || has_subtitle_there)
         draft.film.layout = with_caption_line(draft.film.layout);
+}
+
+// A gas that a scene names is called by its name in the language of its pictures.
+void localize_names(SceneDraft& draft) {
+    for (std::size_t k = 0; k < draft.species.size(); ++k)
+        if (draft.named_gases[k] != nullptr && is_filled_in(*draft.species[k].node, "name"))
+            draft.gas.species[k].name = say(draft.film.language, draft.named_gases[k]->name);
 }
 
 Scene read_scene(const SceneTree& tree, const SceneResources& resources, Wanted wanted,
@@ -192,6 +206,7 @@ Scene read_scene(const SceneTree& tree, const SceneResources& resources, Wanted 
         hold_to_classroom(draft, tree.root, has_length, errors);
         errors.throw_if_any();
     }
+    localize_names(draft);
     if (draft.description.empty()) draft.description = describe(draft);
     draft.notes = errors.notes();
     if (tree.style && wanted != Wanted::physics && resources.styles.faults)
@@ -275,8 +290,10 @@ Scene load_once(Source file, const LoadRequest& request) {
         errors.throw_if_any();
     }
     tree.dimension = dimension_of(tree.root);
-    if (units_of(tree.root) == UnitSystem::real)
+    if (units_of(tree.root) == UnitSystem::real) {
         convert_units(tree.root, scene_table(resources.panels, tree.dimension).section(), errors);
+        fill_in_gases(tree.root);
+    }
     if (wanted == Wanted::run) keep_run(tree.root);
     const Removed removed = remove_items(tree.root, left_out);
     keep_part(tree.root, part);

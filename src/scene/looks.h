@@ -32,7 +32,8 @@ struct SpeciesLook {
     bool fill = true;                    ///< false: rings
     std::string label;                   ///< a word shown next to it, may be empty
     std::optional<double> trail;         ///< seconds of film; none: as the film's Trails say
-    std::optional<double> drawn_radius;  ///< as a length; none: their radius
+    std::optional<double> drawn_radius;  ///< as a length; none: their radius times `scale`
+    double scale = 1.0;                  ///< of the picture's disks, at least 1
 };
 
 /// What a field or a profile shows of the particles in a cell.

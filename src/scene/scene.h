@@ -23,6 +23,8 @@
 
 namespace carom {
 
+struct NamedGas;
+
 /// The positions of all particles at a moment, kept visible until the next mark.
 struct Mark {
     double at = 0.0;  ///< simulated time
@@ -64,6 +66,9 @@ struct Scene {
     UnitSystem units = UnitSystem::reduced;
     Gas gas;
     std::vector<SpeciesLook> looks;  ///< one for each species
+    /// One for each species, from which it has what it does not give itself; null: none.
+    std::vector<const NamedGas*> named_gases = {};
+    std::optional<double> asked_pressure = {};  ///< for which the box has its size
     Run run;
     std::vector<Mark> marks;        ///< in order of time; equal times in the order listed
     std::vector<Caption> captions;  ///< in order of time; equal times in the order listed

@@ -14,6 +14,7 @@
 #include "physics/placement/draws.h"
 #include "physics/theory/collision_rate.h"
 #include "physics/theory/law.h"
+#include "physics/units/gas_table.h"
 #include "physics/vec.h"
 #include "runs/number_json.h"
 #include "scene/describe.h"
@@ -153,6 +154,37 @@ Facts unit_rows(const Scene& scene) {
     return rows;
 }
 
+// The pressure for which the box has its size.
+Facts pressure_rows(const Scene& scene) {
+    if (!scene.asked_pressure) return {};
+    const Quantity quantity = quantities::pressure(scene.gas.box.dimension);
+    return {{"asked_pressure", Amount{*scene.asked_pressure, quantity, scene.units}, "sized",
+             "for a pressure of " + number_words(scene.units, quantity, *scene.asked_pressure)}};
+}
+
+// What the names of gases stand for.
+Facts gas_rows(const Scene& scene) {
+    std::vector<ListItem> rows;
+    for (std::size_t k = 0; k < scene.named_gases.size(); ++k) {
+        const NamedGas* gas = scene.named_gases[k];
+        if (gas == nullptr) continue;
+        const Amount mass{gas->mass, quantities::mass, scene.units},
+            diameter{gas->diameter, quantities::length, scene.units};
+        rows.push_back(
+            {fmt::format("{} ({}): {:.7g} u, diameter {:g} nm from its viscosity at {:g} K{}",
+                         scene.gas.species[k].name, gas->symbol, gas->mass, gas->diameter,
+                         temperature_of_viscosities,
+                         gas->is_monatomic ? "" : "; molecules as spheres"),
+             Json{{"species", scene.gas.species[k].name},
+                  {"gas", std::string(gas->name.english)},
+                  {"symbol", plain_symbol(*gas)},
+                  {"mass", mass},
+                  {"diameter", diameter},
+                  {"is_monatomic", gas->is_monatomic}}});
+    }
+    return rows_of("gases", "gases", std::move(rows));
+}
+
 Facts event_rows(const Scene& scene) {
     std::vector<std::string> lines;
     for (const Happening& one : happenings({Language::english, scene.units}, scene.run, scene.gas))
@@ -232,9 +264,11 @@ Facts facts_of(const Scene& scene, const std::optional<CheckedFilm>& film, const
           {"seed", scene.seed}},
          unit_rows(scene),
          {{"dimension", box.dimension}, box_fact(box, scene.units)},
+         pressure_rows(scene),
          rows_of("surfaces", "surfaces",
                  words_of_surfaces({Language::english, scene.units}, scene.gas)),
          {{"particles", particles}, species(scene.gas, particles)},
+         gas_rows(scene),
          rows_of("cut_distributions", "drawn", cut_distributions(scene.gas, scene.units)),
          {{"packing_fraction", Amount{packing, quantities::share}, "packing",
            fmt::format("{:.4g} of the {}", packing,

@@ -18,7 +18,8 @@ inline Eigen::ArrayXd drawn_radius(const std::vector<SpeciesLook>& looks,
     Eigen::ArrayXd radius = particles.radius;
     for (Eigen::Index i = 0; i < radius.size(); ++i) {
         const auto its = static_cast<std::size_t>(species[i]);
-        radius[i] = std::max(radius[i], looks[its].drawn_radius.value_or(radius[i]));
+        radius[i] =
+            std::max(radius[i], looks[its].drawn_radius.value_or(looks[its].scale * radius[i]));
     }
     return radius;
 }

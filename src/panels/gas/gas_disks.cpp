@@ -220,6 +220,15 @@ Remarks GasPanel::Drawing::remarks() const {
     if (gas.radii->smallest * scale >= least_shown && !gas.radii->enlarges) return all;
     const auto is_enlarged = radius * scale < least_shown || radius > true_radius;
     if (!is_enlarged.any()) return all;
+    // All by the factor that the scene gives, none further to be seen.
+    const double factor = panel.context_.looks().front().scale;
+    if (factor > 1.0 && gas.radii->smallest * scale >= least_shown &&
+        (radius == factor * true_radius).all()) {
+        const std::string number = plain_number(language, factor);
+        all.add({is_deep() ? say(language, "Spheres drawn {} times as large", number)
+                           : say(language, "Disks drawn {} times as large", number)});
+        return all;
+    }
     const double smallest = is_enlarged.select(true_radius, true_radius.maxCoeff()).minCoeff();
     const double largest = is_enlarged.select(true_radius, smallest).maxCoeff();
     const std::string low = three_digits(language, smallest),

@@ -400,6 +400,31 @@ std::optional<double> pressure_of_phase(PhaseOfSpheres phase, const Box& box,
     return *factor * pressure_of_points(box, thermal.energy);
 }
 
+std::optional<double> scale_at_pressure(EquationOfState equation, const Box& box,
+                                        const Particles& particles, const ThermalMotion& thermal,
+                                        double pressure) {
+    const auto at_scale = [&](double scale) {
+        Box scaled = box;
+        scaled.size = scale * box.size;
+        return pressure_of_fluid(equation, scaled, particles, thermal);
+    };
+    // In a box that is too small for a fluid the pressure is unknown, and higher.
+    const auto is_too_small = [&](double scale) {
+        const std::optional<double> found = at_scale(scale);
+        return !found || *found > pressure;
+    };
+    const double ideal = pressure_of_points(box, thermal.energy);
+    double low = 0.0, high = std::pow(ideal / pressure, 1.0 / box.dimension);
+    constexpr int most_doublings = 1000;  // of a gas without an equation of state
+    for (int i = 0; is_too_small(high); ++i, low = high, high *= 2.0)
+        if (i == most_doublings || !std::isfinite(high)) return std::nullopt;
+    for (double middle = 0.5 * (low + high); low < middle && middle < high;
+         middle = 0.5 * (low + high))
+        (is_too_small(middle) ? low : high) = middle;
+    constexpr double tolerance = 1e-9;
+    return *at_scale(high) >= (1.0 - tolerance) * pressure ? std::optional(high) : std::nullopt;
+}
+
 std::optional<double> force_of_fluid(EquationOfState equation, const Box& box,
                                      const Particles& particles, int axis) {
     const std::optional<Filled> gas = filled(equation, box, particles);

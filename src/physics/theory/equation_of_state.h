@@ -102,6 +102,13 @@ std::optional<double> pressure_of_fluid(EquationOfState equation, const Box& box
 std::optional<double> pressure_of_phase(PhaseOfSpheres phase, const Box& box,
                                         const Particles& particles, const ThermalMotion& thermal);
 
+/// The factor by which to multiply the size of a box so that the gas has this pressure
+/// (pressure_of_fluid()) at this thermal motion, to 1e-9 of it. Returns nothing where no size gives
+/// the pressure: the gas has no equation of state, or would freeze.
+std::optional<double> scale_at_pressure(EquationOfState equation, const Box& box,
+                                        const Particles& particles, const ThermalMotion& thermal,
+                                        double pressure);
+
 /// The mean force of a fluid between walls, of one radius, on each side across an axis, or through
 /// a line or plane across a periodic axis, divided by the temperature: 1/length. Returns nothing
 /// where pressure_of_fluid() does, and for several radii.

@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "physics/gas.h"
+#include "physics/box.h"
 #include "physics/surfaces/behaviours.h"
 #include "scene/keys/binding.h"
 #include "scene/limits.h"

@@ -81,6 +81,8 @@ std::string instead(const Key& key, const std::string& other, const Values& valu
 
 // What a key needs that the scene does not have, by its name.
 const Values needed{{"surfaces", "With a partition of this name"},
+                    {"gas", "In a scene with `units: real`"},
+                    {"pressure", "With `shape`"},
                     {"viewpoint", "In a box with three lengths"},
                     {"beside", "Without the panel `energy-by-species`"}};
 

@@ -7,7 +7,9 @@
 #include <set>
 
 #include "physics/gas.h"
+#include "physics/units/gas_table.h"
 #include "physics/units/unit_table.h"
+#include "scene/keys/gas_values.h"
 #include "scene/lettering/word_places.h"
 #include "scene/limits.h"
 #include "scene/yaml/scalar.h"
@@ -99,6 +101,16 @@ Notation<Temperature> temperature_notation() {
                   }));
 }
 
+Notation<const NamedGas*> gas_name_notation() {
+    std::vector<Elsewhere> others{{"water", "did you mean `water vapour`?"},
+                                  {"steam", "did you mean `water vapour`?"},
+                                  {"sulfur hexafluoride", "did you mean `sulphur hexafluoride`?"}};
+    for (const NamedGas& gas : named_gases())
+        others.push_back({plain_symbol(gas), fmt::format("did you mean `{}`?", gas.name.english)});
+    return mapped(word(names_of_gases()).with_elsewhere(std::move(others)),
+                  [](const std::string& name) { return gas_named(name); });
+}
+
 std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
     const bool wire = dimension == 1, plane = dimension == 2;
     const auto mass =
@@ -112,6 +124,10 @@ std::vector<Binding<SpeciesReading>> matter_keys(int dimension) {
         bind_key("name", &Species::name, text(1, most_name_letters),
                  "The name of the species, shown in legends.")
             .default_text("required when there are several species"),
+        bind_key("gas", &SpeciesReading::named, gas_name_notation(),
+                 "A gas whose `mass`, `radius` (that of hard spheres with its viscosity), `name` "
+                 "and `color` the species has where it does not give them. Needs `units: real`.")
+            .default_text("none"),
         bind_key("count", &Species::count, whole(1, most_particles), "The number of particles.")
             .tried_as({"n", "N", "number", "num", "amount", "particles"})
             .default_text(fmt::format("the number of positions listed, or of {} in a `text`",
@@ -225,8 +241,9 @@ std::int64_t counted_places(const SpeciesReading& draft, const Node& item, Error
     return 0;
 }
 
-// In real units no radius or mass is usual.
+// In real units no radius or mass is usual, but those of a gas by name are filled in.
 void check_matter_is_given(const Node& item, int dimension, Errors& errors) {
+    if (find(item, "gas") != nullptr) return;  // it is unknown, which has been reported
     if (dimension > 1 && find(item, "radius") == nullptr)
         errors.add(item, "in real units an item of `gas` needs `radius`",
                    fmt::format("for instance `radius: {}`", unit_example(quantities::length)));
@@ -265,6 +282,9 @@ void complete_species(SpeciesReading& draft, const Node& item, int dimension, Un
                                                 draft.count, errors))
             draft.position = *pattern;
     if (draft.count == 0) draft.count = counted_places(draft, item, errors);
+    if (draft.named != nullptr && units == UnitSystem::reduced)
+        errors.add(*given(item, "gas"), "a gas by name needs `units: real`",
+                   "or give its `mass` and `radius` in units of your own");
     if (units == UnitSystem::real) check_matter_is_given(item, dimension, errors);
     if (draft.count > 0)
         for (std::string_view key : {"radius", "mass", "density", "speed", "velocity", "position"})

@@ -17,9 +17,12 @@
 
 namespace carom {
 
+struct NamedGas;
+
 /// A species and how it is drawn.
 struct SpeciesDraft : Species, SpeciesLook {
     const Node* node = nullptr;                      ///< the item of `gas`
+    const NamedGas* named = nullptr;                 ///< null: its values are its own
     bool radius_known = true;                        ///< false: an error leaves the radius unknown
     const Node *side = nullptr, *side_of = nullptr;  ///< side and partition in its position
 };

@@ -18,6 +18,21 @@ Notation<std::string> style_name_notation() {
     return name;
 }
 
+Notation<double> scale_notation(int dimension) {
+    struct Scale {
+        double diameter = 1.0;
+    };
+    const KeyTable<Scale> table{
+        .name = "`scale`",
+        .keys = {bind_key("diameter", &Scale::diameter, number({1.0, largest_quantity}),
+                          fmt::format("The factor of the diameters of all {} that have no "
+                                      "`drawn_radius`.",
+                                      particles_of(dimension)))
+                     .required()}};
+    return mapped(mapping(table, "{diameter: FACTOR}"),
+                  [](const Scale& scale) { return scale.diameter; });
+}
+
 KeyTable<SceneDraft> new_table(PanelKinds kinds, int dimension) {
     const auto format = whole(1, {scene_format, "is the format that this carom reads"});
     KeyTable<SceneDraft> table{
@@ -60,6 +75,11 @@ KeyTable<SceneDraft> new_table(PanelKinds kinds, int dimension) {
                           "What is in the box: a list of species.")
                      .tried_as({"species", "particles", "disks", "balls", "beads", "gases"})
                      .required(),
+                 bind_key("scale", &SceneDraft::scale, scale_notation(dimension),
+                          fmt::format("How many times larger than they are pictures show {}; their "
+                                      "places and the physics do not change, and pictures say so.",
+                                      particles_of(dimension)))
+                     .default_text("their own size"),
                  bind_key("run", &SceneDraft::written_run, run_notation(dimension),
                           "What happens to the gas.")
                      .tried_as({"simulation", "simulate", "time", "events"})
@@ -94,7 +114,8 @@ KeyTable<SceneDraft> new_table(PanelKinds kinds, int dimension) {
     if (dimension > 1) return table;
     for (const auto& [name, hint] :
          {std::pair{"partitions", "a bead of mass `infinite` divides it"},
-          {"obstacles", "a bead of mass `infinite` stands still"}}) {
+          {"obstacles", "a bead of mass `infinite` stands still"},
+          {"scale", "give `drawn_radius`"}}) {
         std::erase_if(table.keys,
                       [refused = name](const auto& one) { return one.key.name == refused; });
         table.refused.push_back({name, fmt::format("a wire has no `{}`", name), hint});

@@ -20,6 +20,7 @@ inline constexpr int scene_format = 1;
 struct SceneDraft : Scene, SurfacesDraft {
     int format = scene_format;
     std::optional<BoxDraft> box;
+    double scale = 1.0;  ///< of the diameters in pictures
     std::vector<SpeciesDraft> species;
     RunDraft written_run;
     std::vector<const Node*> surface_nodes;  ///< indexed by surface number; null: not in the file

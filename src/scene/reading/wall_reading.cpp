@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scene/limits.h"
 #include "scene/reading/gas_reading.h"
 
@@ -118,6 +120,16 @@ KeyTable<SidesByName> sides_table(int dimension) {
     return table;
 }
 
+Notation<Vec> shape_notation(int dimension) {
+    const int axes = std::max(2, dimension);
+    return mapped(
+        list_of(number(positive), static_cast<std::size_t>(axes), {static_cast<double>(axes)},
+                axes == 2 ? "[width, height]" : "[width, height, depth]"),
+        [](const std::vector<double>& along) {
+            return Vec(along.at(0), along.at(1), along.size() == 3 ? along[2] : 0.0);
+        });
+}
+
 KeyTable<BoxDraft> box_table(int dimension) {
     const bool is_space = dimension == 3;
     const auto plane = vector_of(2, positive, quantities::length, "[width, height]")
@@ -134,6 +146,15 @@ KeyTable<BoxDraft> box_table(int dimension) {
                           : "Width and height of the box; x goes from 0 to the width, y from 0 to "
                             "the height. With a third length, the depth, it is a box in space.")
                  .tried_as({"width", "height", "dimensions", "dims", "L"}),
+             bind_key("shape", &Box::size, shape_notation(dimension),
+                      "Instead of `size`, with `pressure`: the ratio of width to height, and in "
+                      "space to depth.")
+                 .tried_as({"aspect", "ratio", "proportions"}),
+             bind_key("pressure", &BoxDraft::pressure,
+                      number(positive, quantities::pressure(dimension)),
+                      "With `shape`: the box has the size that gives the gas this pressure in "
+                      "equilibrium, by its equation of state (docs/physics.md).")
+                 .tried_as({"p", "P"}),
              bind_key("length", &Box::size, vector_of(1, positive, quantities::length),
                       "Instead of `size`: the length of a wire; x goes from 0 to the length."),
              bind_key(
@@ -142,8 +163,19 @@ KeyTable<BoxDraft> box_table(int dimension) {
                  "reflects particles at their own speed in random directions, by the "
                  "cosine law.")
                  .tried_as({"boundary", "boundaries", "edges", "periodic"})},
-        .choices = {{{"size", "length"}, true}},
-        .refused = inelastic_keys()};
+        .choices = {{{"size", "shape", "length"}, true}},
+        .refused = inelastic_keys(),
+        .rule = [](BoxDraft& box, const Node& node, Reading& reading) {
+            const Node *shape = given(node, "shape"), *pressure = given(node, "pressure");
+            if (shape != nullptr && find(node, "pressure") == nullptr)
+                reading.errors.add(*shape, "`shape` needs the `pressure` of the gas",
+                                   "the size of the box follows from both; or give `size`");
+            if (pressure == nullptr || shape != nullptr) return;
+            // A size on the command line takes the place of both.
+            if (find(node, "shape") != nullptr) return box.pressure.reset();
+            reading.errors.add(*pressure, "`pressure` needs the `shape` of the box",
+                               "the size of the box follows from both; give no other");
+        }};
 }
 
 }  // namespace

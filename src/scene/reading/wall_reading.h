@@ -49,6 +49,7 @@ Notation<SidesDraft> sides_notation(int dimension);
 /// A box and the behaviour of its sides.
 struct BoxDraft : Box {
     SidesDraft sides;
+    std::optional<double> pressure = {};  ///< then the size is only known as a shape
     const Node* node = nullptr;
 };
 

@@ -98,7 +98,8 @@ void load_style(SceneTree& tree, const fs::path& scene, const SceneResources& re
         wanted == Wanted::physics ? StyleCheck{}.families : resources.styles.families, errors);
 }
 
-// Whether a value of the box is a list of three, whatever its key is called: only a size is a list.
+// Whether a value of the box is a list of three, whatever its key is called: only a size and a
+// shape are lists.
 bool has_three_lengths(const Node& box) {
     return box.is_mapping() && std::ranges::any_of(box.items, [](const Node& value) {
                return value.is_list() && value.items.size() == 3;
@@ -111,7 +112,7 @@ int dimension_of(const Node& root) {
     const Node* box = find(root, "box");
     if (box == nullptr) return 2;
     const Node* length = find(*box, "length");
-    const Node* size = find(*box, "size");
+    const Node* size = find(*box, find(*box, "shape") != nullptr ? "shape" : "size");
     const int by_size = has_three_lengths(*box) ? 3 : 2;
     if (length != nullptr)
         return size == nullptr || length->source->origin > size->source->origin ? 1 : by_size;

@@ -131,7 +131,8 @@ TEST_CASE("disks that are drawn larger than they are say so, with their true rad
         painter.paint(film.frames.front());
         std::string found;
         for (const DrawnLine& line : log.lines)
-            if (line.markup.starts_with("Disks enlarged")) found += line.markup;
+            if (line.markup.starts_with("Disks enlarged") || line.markup.starts_with("Disks drawn"))
+                found += line.markup;
         return found;
     };
     // A lecture film's box of 40 by 30 is about 770 pixels high: 1.2 pixels are a radius of 0.047.
@@ -146,6 +147,17 @@ TEST_CASE("disks that are drawn larger than they are say so, with their true rad
     CHECK(remark("[{name: a, count: 9, radius: 0.02, speed: 1}, {name: b, count: 1, radius: 3}, "
                  "{name: c, count: 5, radius: 0.03}]") ==
           "Disks enlarged for visibility; radii 0.0200 to 0.0300");
+    // By one factor for all.
+    CHECK(remark("[{count: 20, radius: 0.1, speed: 1}]\nscale: {diameter: 5}") ==
+          "Disks drawn 5 times as large");
+    CHECK(
+        remark("[{count: 20, radius: {uniform: [0.1, 0.2]}, speed: 1}]\nscale: {diameter: 2.5}") ==
+        "Disks drawn 2.5 times as large");
+    CHECK(remark("[{count: 20, radius: 0.1, drawn_radius: 0.2, speed: 1}]\nscale: {diameter: 5}") ==
+          "Disks enlarged for visibility; radius 0.100");
+    CHECK(remark("[{count: 20, radius: 0.002, speed: 1}]\nscale: {diameter: 5}") ==
+          "Disks enlarged for visibility; radius 0.00200");
+    CHECK(remark("[{count: 20, radius: 0.1, speed: 1}]\nscale: {diameter: 1}").empty());
     // As many that they cover a quarter of the box as they are.
     CHECK(remark("[{count: 60000, radius: 0.04, speed: 1}]").empty());
     CHECK(remark("[{count: 60000, radius: 0.039, speed: 1}]") ==

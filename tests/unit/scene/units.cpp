@@ -41,10 +41,16 @@ const std::string argon = "count: 9, radius: 0.17 nm, mass: 39.948 u";
 }  // namespace
 
 TEST_CASE("every number that describes the gas and its run is a quantity or a plain number") {
-    // Counts, precision, shares, and seconds of film.
-    const std::set<std::string> expected{
-        "gas.count",        "gas.trail",           "run.events.for", "run.events.nudge.particle",
-        "run.events.pause", "run.most_collisions", "run.precision",  "run.tolerance"};
+    // Counts, precision, shares, ratios, and seconds of film.
+    const std::set<std::string> expected{"box.shape",
+                                         "gas.count",
+                                         "gas.trail",
+                                         "run.events.for",
+                                         "run.events.nudge.particle",
+                                         "run.events.pause",
+                                         "run.most_collisions",
+                                         "run.precision",
+                                         "run.tolerance"};
     for (int dimension = 1; dimension <= 3; ++dimension) {
         CAPTURE(dimension);
         const Section& scene = scene_table(panel_kinds(), dimension).section();

@@ -6,9 +6,12 @@
 #include <numbers>
 #include <string>
 
+#include "figures/figure_drawing.h"
+#include "figures/figure_words.h"
 #include "physics/units/unit_table.h"
 #include "runs/run.h"
 #include "scene/scene.h"
+#include "support/figure_run.h"
 #include "support/scene_text.h"
 
 using namespace carom;
@@ -83,5 +86,36 @@ TEST_CASE("gases in a mixture have the mean speeds of textbooks") {
         CAPTURE(speed);
         // With the energy fixed the mean of N speeds deviates by less than 0.42 / sqrt N.
         CHECK(std::abs(speed - expected) < 5.0 * 0.42 / std::sqrt(20000.0) * expected + 0.05);
+    }
+}
+
+// Mean speeds of tables at 298.15 K, in m/s, in the caption of a mixture of noble gases.
+TEST_CASE("the caption of a mixture of noble gases gives the mean speeds of textbooks") {
+    constexpr int count = 2000;
+    std::string gas;
+    for (const char* name : {"helium", "neon", "argon", "krypton", "xenon"})
+        gas += fmt::format("{}{{gas: {}, count: {}, temperature: {{exact: 298.15 K}}}}",
+                           gas.empty() ? "" : ", ", name, count);
+    const Scene scene = test::scene_from(
+        scene_with(gas, "shape: [4, 3, 3], pressure: 20 bar", "10 ps",
+                   "figures: [{name: speeds, kind: speed-histogram, at: 10 ps, of: [helium, neon, "
+                   "argon, krypton, xenon]}]\n"),
+        {}, Wanted::figures);
+    const FigureRun run = test::run_of(scene);
+    const std::string caption = words_of(run, run.figures().front()).caption;
+    CAPTURE(caption);
+    for (const auto& [name, expected] : {std::pair{"Helium", 1255.8},
+                                         {"Neon", 559.3},
+                                         {"Argon", 397.5},
+                                         {"Krypton", 274.5},
+                                         {"Xenon", 219.3}}) {
+        const std::string before = fmt::format("{}: mean ", name);
+        const std::size_t at = caption.find(before);
+        REQUIRE(at != std::string::npos);
+        const std::string rest = caption.substr(at + before.size());
+        CHECK(rest.find("\u00A0m/s") < 6);
+        // Speeds deviate by 0.42 of their mean; numbers have three digits.
+        CHECK(std::abs(std::stod(rest) / expected - 1.0) <
+              5.0 * 0.42 / std::sqrt(double(count)) + 0.005);
     }
 }

@@ -136,8 +136,11 @@ void convert_value(Node& node, const std::vector<Form>& forms, const std::string
 }  // namespace
 
 std::optional<NumberWithUnit> number_with_unit(std::string_view text) {
-    for (std::size_t length = text.size(); length-- > 1;) {
-        if (!parse_number(text.substr(0, length))) continue;
+    // A number ends with a digit or a point; the `e` after it may begin its power or its unit.
+    constexpr std::size_t longest_end = 2;  // of what may belong to either: `e+`
+    std::size_t length = std::min(text.find_first_not_of("0123456789+-.eE"), text.size());
+    for (std::size_t k = 0; k <= longest_end && length > 0; ++k, --length) {
+        if (length == text.size() || !parse_number(text.substr(0, length))) continue;
         std::string_view unit = text.substr(length);
         while (unit.starts_with(' ')) unit.remove_prefix(1);
         while (unit.ends_with(' ')) unit.remove_suffix(1);

@@ -128,7 +128,7 @@ TEST_CASE("numbers with units are read in nanometres, atomic mass units and pico
 }
 
 TEST_CASE("a text is parted into a number and what may be its unit") {
-    const auto parts = [](const char* text) {
+    const auto parts = [](std::string_view text) {
         const auto found = number_with_unit(text);
         return found ? std::string(found->number) + "|" + std::string(found->unit) : "";
     };
@@ -144,4 +144,8 @@ TEST_CASE("a text is parted into a number and what may be its unit") {
     CHECK(parts("nm").empty());
     CHECK(parts("2*pi").empty());
     CHECK(parts("1 2").empty());
+    // In a time that grows with the length alone.
+    const std::string long_number(1 << 20, '1');
+    CHECK(parts(long_number + " " + long_number).empty());
+    CHECK(parts("1" + std::string(1 << 20, 'e')) == "");
 }

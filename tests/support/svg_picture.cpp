@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <map>
+#include <optional>
 #include <pugixml.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -22,13 +25,26 @@ struct Matrix {
     }
 };
 
+// The rest of a text after the spaces and commas at `at`.
+const char* next_in(const char* at) { return at + std::strspn(at, ", \n"); }
+
+// The number at `at`, which moves behind it.
+std::optional<double> number_in(const char*& at) {
+    char* end = nullptr;
+    const double number = std::strtod(at, &end);
+    if (end == at) return std::nullopt;
+    at = next_in(end);
+    return number;
+}
+
 // The numbers of a list that is separated by commas or spaces.
-std::vector<double> numbers_in(std::string text) {
-    std::ranges::replace(text, ',', ' ');
-    std::istringstream stream(text);
+std::vector<double> numbers_in(const std::string& text) {
     std::vector<double> numbers;
-    for (double number = 0; stream >> number;) numbers.push_back(number);
-    if (!stream.eof()) throw std::runtime_error("no list of numbers: " + text);
+    for (const char* at = next_in(text.c_str()); *at != '\0';) {
+        const std::optional<double> number = number_in(at);
+        if (!number) throw std::runtime_error("no list of numbers: " + text);
+        numbers.push_back(*number);
+    }
     return numbers;
 }
 
@@ -76,17 +92,19 @@ Paint paint_of(const pugi::xml_node& node, const std::string& kind) {
 
 std::vector<Outline> pieces_of(const std::string& path, const Matrix& to_picture) {
     std::vector<Outline> pieces;
-    std::istringstream stream(path);
+    const char* at = next_in(path.c_str());
     const auto add_points = [&](char command, int count) {
         if (command == 'M' || pieces.empty()) pieces.emplace_back();
         pieces.back().commands += command;
         for (int i = 0; i < count; ++i) {
-            Spot spot;
-            if (!(stream >> spot.x >> spot.y)) throw std::runtime_error("a path ends: " + path);
-            pieces.back().points.push_back(to_picture(spot));
+            const std::optional<double> x = number_in(at), y = number_in(at);
+            if (!x || !y) throw std::runtime_error("a path ends: " + path);
+            pieces.back().points.push_back(to_picture({*x, *y}));
         }
     };
-    for (char command = 0; stream >> command;) {
+    while (*at != '\0') {
+        const char command = *at;
+        at = next_in(at + 1);
         if (command != 'M' && command != 'L' && command != 'C' && command != 'Z')
             throw std::runtime_error("an unknown command in a path: " + path);
         add_points(command, command == 'C' ? 3 : command == 'Z' ? 0 : 1);

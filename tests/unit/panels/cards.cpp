@@ -46,14 +46,17 @@ std::set<std::string> words_in(const std::string& text) {
     return all;
 }
 
-// The lines that a frame draws of a text: whole lines of it, or its single words.
-std::vector<DrawnLine> lines_of(const std::string& text, FramePainter& painter,
-                                const FrameData& frame) {
-    const std::set<std::string> words = words_in(text);
+std::vector<DrawnLine> painted(FramePainter& painter, const FrameData& frame) {
     const TextLog log;
     painter.paint(frame);
+    return log.lines;
+}
+
+// Of the lines that a frame draws those of a text: whole lines of it, or its single words.
+std::vector<DrawnLine> lines_of(const std::string& text, const std::vector<DrawnLine>& drawn) {
+    const std::set<std::string> words = words_in(text);
     std::vector<DrawnLine> lines;
-    for (const DrawnLine& line : log.lines) {
+    for (const DrawnLine& line : drawn) {
         const std::set<std::string> its = words_in(line.markup);
         if (!its.empty() && std::ranges::includes(words, its)) lines.push_back(line);
     }
@@ -193,7 +196,8 @@ TEST_CASE("title and subtitle go from the card to the places where the film show
             REQUIRE(film.frames[44].tick.phase == Phase::title_card);
             REQUIRE(film.frames[45].tick.phase == Phase::opening);
             const auto [width, height] = film.scene.film.size;
-            const std::vector<DrawnLine> first = lines_of(title, painter, film.frames[0]);
+            const std::vector<DrawnLine> card = painted(painter, film.frames[0]);
+            const std::vector<DrawnLine> first = lines_of(title, card);
             const Rect at_first = around(first);
             CHECK(std::abs(at_first.x - 160.0 / 1920.0 * width) < 0.1 * first.front().size);
             CHECK(at_first.right() < (1.0 - 150.0 / 1920.0) * width);
@@ -203,15 +207,15 @@ TEST_CASE("title and subtitle go from the card to the places where the film show
                 CHECK(top > 0.0);  // of letters in a line that begins there
                 CHECK(top < 0.45 * first.front().size);
             }
-            const Rect sub = around(lines_of(subtitle, painter, film.frames[0]));
+            const Rect sub = around(lines_of(subtitle, card));
             CHECK(sub.y > at_first.bottom());
             CHECK(sub.x == doctest::Approx(at_first.x).epsilon(0.1));
             for (std::size_t i = 21; i <= 44; ++i) {
                 CAPTURE(i);
-                std::vector<DrawnLine> words = lines_of(title, painter, film.frames[i]);
+                const std::vector<DrawnLine> drawn = painted(painter, film.frames[i]);
+                std::vector<DrawnLine> words = lines_of(title, drawn);
                 const std::size_t of_title = words.size();
-                for (const DrawnLine& line : lines_of(subtitle, painter, film.frames[i]))
-                    words.push_back(line);
+                for (const DrawnLine& line : lines_of(subtitle, drawn)) words.push_back(line);
                 for (std::size_t a = 0; a < words.size(); ++a)
                     for (std::size_t b = 0; b < a; ++b) {
                         const bool is_of_one = (a < of_title) == (b < of_title);
@@ -219,11 +223,14 @@ TEST_CASE("title and subtitle go from the card to the places where the film show
                     }
             }
             // Each step is no longer than the one before it, and the last one ends in the frame.
+            FramePainter fresh(*film.panels);  // whose ground is not drawn yet
+            const std::vector<DrawnLine> at_43 = painted(painter, film.frames[43]),
+                                         at_44 = painted(painter, film.frames[44]),
+                                         at_45 = painted(fresh, film.frames[45]);
             const auto lands = [&](const std::string& text) {
-                const Rect before = around(lines_of(text, painter, film.frames[43]));
-                const Rect last = around(lines_of(text, painter, film.frames[44]));
-                FramePainter fresh(*film.panels);  // whose ground is not drawn yet
-                const Rect there = around(lines_of(text, fresh, film.frames[45]));
+                const Rect before = around(lines_of(text, at_43));
+                const Rect last = around(lines_of(text, at_44));
+                const Rect there = around(lines_of(text, at_45));
                 const auto step = [&](double Rect::*edge) {
                     constexpr double pixel = 1.0;  // to which words are set
                     CHECK(std::abs(there.*edge - last.*edge) <=
@@ -282,7 +289,7 @@ TEST_CASE("a title or subtitle with dollar signs is no formula") {
     const Shot film(test::scene_from(scene_text("seconds: 9, fps: 10, title_card: true",
                                                 "title: A gas for $5 or $6\nsubtitle: Not $7")));
     FramePainter painter(*film.panels);
-    CHECK(lines_of("A gas for $5 or $6", painter, film.frames[0]).size() == 1);
-    CHECK(lines_of("Not $7", painter, film.frames[0]).size() == 1);
-    CHECK(lines_of("Not $7", painter, film.frames[31]).size() == 1);
+    CHECK(lines_of("A gas for $5 or $6", painted(painter, film.frames[0])).size() == 1);
+    CHECK(lines_of("Not $7", painted(painter, film.frames[0])).size() == 1);
+    CHECK(lines_of("Not $7", painted(painter, film.frames[31])).size() == 1);
 }

@@ -303,7 +303,9 @@ TEST_CASE("a print of a scene that names no colours has none") {
     for (const std::filesystem::path& file : test::library_files()) {
         if (++number % share != 0) continue;
         CAPTURE(file.stem().string());
-        Scene scene = load_scene(file, test::resources(), {"film.theme=print", "film.fps=1"});
+        Overrides overrides = test::fewer_particles(file);
+        overrides.insert(overrides.end(), {"film.theme=print", "film.fps=1"});
+        Scene scene = load_scene(file, test::resources(), overrides);
         const bool has_own =
             scene.film.palette || std::ranges::any_of(scene.looks, [](const SpeciesLook& look) {
                 return look.color.has_value();

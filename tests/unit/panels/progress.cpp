@@ -11,6 +11,7 @@
 
 #include "panels/recording.h"
 #include "panels/registry.h"
+#include "support/library.h"
 #include "support/pixels.h"
 #include "support/scene_text.h"
 #include "support/share_of_cases.h"
@@ -280,19 +281,10 @@ TEST_CASE("a first pass has positions only where panels ask for them, and fixes 
 
 namespace {
 
-std::vector<fs::path> scene_files() {
-    std::vector<fs::path> files;
-    for (const fs::directory_entry& entry :
-         fs::recursive_directory_iterator(test::checkout() / "scenes"))
-        if (entry.path().extension() == ".yaml" && entry.path().parent_path().filename() != "sets")
-            files.push_back(entry.path());
-    return files;
-}
-
 // Of two seconds, and of few particles where it would take long.
 Scene short_film(const fs::path& path) {
-    Overrides overrides{"film.size=[320, 180]", "film.fps=10", "film.seconds=2"};
-    if (path.stem() == "freezing") overrides.emplace_back("gas.0.count=60");
+    Overrides overrides = test::fewer_particles(path);
+    overrides.insert(overrides.end(), {"film.size=[320, 180]", "film.fps=10", "film.seconds=2"});
     return load_scene(path, test::resources(), overrides);
 }
 
@@ -309,7 +301,7 @@ std::vector<std::size_t> starts_of_parts(const std::vector<Tick>& ticks) {
 }  // namespace
 
 TEST_CASE("the film of every scene can be drawn from a frame on, to its end") {
-    const std::vector<fs::path> files = scene_files();
+    const std::vector<fs::path> files = test::library_files();
     CHECK(files.size() > 40);
     const auto share = static_cast<std::size_t>(test::every_nth(1, 8));
     for (std::size_t k = 0; k < files.size(); k += share) {

@@ -80,8 +80,9 @@ TEST_CASE(
             CAPTURE(theme);
             CAPTURE(file.stem().string());
             CAPTURE(layout.stem().string());
-            Overrides overrides{"film.template=" + layout.stem().string(), "film.theme=" + theme,
-                                "film.fps=1"};
+            Overrides overrides = test::fewer_particles(file);
+            overrides.insert(overrides.end(), {"film.template=" + layout.stem().string(),
+                                               "film.theme=" + theme, "film.fps=1"});
             // Many bits take long, and change no words but their number; but a divider closes again
             // only behind a gas that has come home.
             const Scene scene = load_scene(file, test::resources());
@@ -122,10 +123,11 @@ TEST_CASE(
 }
 
 TEST_CASE("disks that are drawn larger than they are say so, with their true radius") {
-    const auto remark = [](const std::string& gas) {
-        const test::Shot film(load_scene_text("title: T\nbox: {size: [40, 30]}\ngas: " + gas +
-                                                  "\nrun: {until: 1}\nfilm: {seconds: 0.1}\n",
-                                              "test", test::resources()));
+    const auto remark = [](const std::string& gas, const std::string& size = "[1920, 1080]") {
+        const test::Shot film(
+            load_scene_text("title: T\nbox: {size: [40, 30]}\ngas: " + gas +
+                                "\nrun: {until: 1}\nfilm: {seconds: 0.1, size: " + size + "}\n",
+                            "test", test::resources()));
         FramePainter painter(*film.panels);
         const TextLog log;
         painter.paint(film.frames.front());
@@ -158,10 +160,10 @@ TEST_CASE("disks that are drawn larger than they are say so, with their true rad
     CHECK(remark("[{count: 20, radius: 0.002, speed: 1}]\nscale: {diameter: 5}") ==
           "Disks enlarged for visibility; radius 0.00200");
     CHECK(remark("[{count: 20, radius: 0.1, speed: 1}]\nscale: {diameter: 1}").empty());
-    // As many that they cover a quarter of the box as they are.
-    CHECK(remark("[{count: 60000, radius: 0.04, speed: 1}]").empty());
-    CHECK(remark("[{count: 60000, radius: 0.039, speed: 1}]") ==
-          "Disks enlarged for visibility; radius 0.0390");
+    // As many that they cover a quarter of the box as they are; the box is about 130 pixels high.
+    CHECK(remark("[{count: 2390, radius: 0.2, speed: 1}]", "[320, 180]").empty());
+    CHECK(remark("[{count: 2390, radius: 0.199, speed: 1}]", "[320, 180]") ==
+          "Disks enlarged for visibility; radius 0.199");
 }
 
 TEST_CASE("labels that are asked for and have no room say so") {

@@ -92,7 +92,7 @@ TEST_CASE("the size of a film is measured in every format and quality") {
          {"--format webm", "--format gif", "--format png", "--quality draft", "--quality final",
           "--format webm --quality final", "--from 10 --to 20", "--fps 12"}) {
         const std::string options =
-            fmt::format("'{}' --size 480x270 --seconds 4 {}", library_scene("mixed-masses"), more);
+            fmt::format("'{}' --size 320x180 --seconds 4 {}", library_scene("mixed-masses"), more);
         CAPTURE(options);
         CHECK(std::abs(std::log(share(options))) < std::log(4.0 / 3.0));
     }

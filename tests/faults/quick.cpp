@@ -15,16 +15,17 @@ TEST_CASE("a call that fails costs the whole output or nothing, with one message
     std::vector<Run> runs;
     for (const Trial& trial : trials) {
         constexpr long most = 2;  // of each kind, the last one among them
-        for (const Fault& fault : all_faults())
-            for (long calls = trial.calls(fault.call), n = calls; n > 0;
-                 n -= std::max(1L, calls / most))
-                runs.push_back({&trial, fault, n});
+        const auto add = [&](const Fault& fault) {
+            for (long part = 1; part <= most; ++part)
+                if (const long n = trial.calls(fault.call) * part / most; n > 0)
+                    runs.push_back({&trial, fault, n});
+        };
+        for (const Fault& fault : all_faults()) add(fault);
         // For memory allocation, also some of the last calls, when fonts are read and films are
         // joined.
+        add({"memory", ENOMEM});
         const long allocations = trial.calls("memory");
-        for (long n = allocations; n > 0; n -= allocations / most)
-            runs.push_back({&trial, {"memory", ENOMEM}, n});
-        for (long n = allocations; n > std::max(0L, allocations - 1600); n -= 160)
+        for (long n = allocations - 320; n > std::max(0L, allocations - 1600); n -= 320)
             runs.push_back({&trial, {"memory", ENOMEM}, n});
     }
     CHECK(runs.size() > 200);

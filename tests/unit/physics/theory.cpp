@@ -317,12 +317,15 @@ std::vector<double> components_on_sphere(const std::vector<double>& masses, int 
 }
 
 std::function<double(double)> below(const EquilibriumGas& gas, double fastest) {
-    return [&gas, fastest](double v) {
-        constexpr int steps = 2000;
-        double sum = 0.0;
-        for (int i = 0; i < steps; ++i)  // the middle of each step
-            sum += velocity_density(gas, -fastest + (v + fastest) * (i + 0.5) / steps);
-        return sum * (v + fastest) / steps;
+    constexpr int steps = 20'000;
+    const double step = 2.0 * fastest / steps;
+    std::vector<double> sums{0.0};   // at the end of each step
+    for (int i = 0; i < steps; ++i)  // the middle of each
+        sums.push_back(sums.back() + velocity_density(gas, -fastest + (i + 0.5) * step) * step);
+    return [sums, fastest, step](double v) {
+        const double at = std::clamp((v + fastest) / step, 0.0, double(steps));
+        const auto i = std::min(static_cast<std::size_t>(at), std::size_t{steps - 1});
+        return sums[i] + (at - static_cast<double>(i)) * (sums[i + 1] - sums[i]);
     };
 }
 

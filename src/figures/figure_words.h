@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/units/number_text.h"
 #include "util/language.h"
 
 namespace carom {

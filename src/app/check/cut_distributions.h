@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/report/facts.h"
+#include "physics/units/quantity.h"
 
 namespace carom {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "physics/units/number_text.h"
 #include "scene/keys/binding.h"
 #include "scene/panel_spec.h"
-#include "util/language.h"
 
 namespace carom {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "physics/units/number_text.h"
 #include "scene/panel_spec.h"
-#include "util/language.h"
 
 namespace carom {
 

@@ -10,6 +10,7 @@
 
 #include "panels/meters/meter.h"
 #include "panels/plot/plot_panel.h"
+#include "physics/units/number_text.h"
 #include "scene/panel_kind.h"
 
 namespace carom {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "panels/meters/instruments.h"
+#include "physics/units/number_text.h"
 #include "scene/keys/numbers_in_words.h"
 
 namespace carom {

@@ -59,12 +59,18 @@ struct DrawnCurve {
 std::vector<DrawnCurve> curves_of(const SweptLine& line) {
     using Name = const std::string&;
     std::vector<DrawnCurve> all{
-        {&line.theory, {0.6, 0.4}, [](Language l, Name n) { return say(l, "Dashed: {}.", n); }},
-        {&line.coexistence, {}, [](Language l, Name n) { return say(l, "Solid line: {}.", n); }},
+        {&line.theory,
+         {0.6, 0.4},
+         [](Language language, Name name) { return say(language, "Dashed: {}.", name); }},
+        {&line.coexistence,
+         {},
+         [](Language language, Name name) { return say(language, "Solid line: {}.", name); }},
         {&line.crystal,
          {1.4, 0.4},
-         [](Language l, Name n) { return say(l, "Long dashes: {}.", n); }},
-        {&line.ideal, {0.15, 0.35}, [](Language l, Name n) { return say(l, "Dotted: {}.", n); }}};
+         [](Language language, Name name) { return say(language, "Long dashes: {}.", name); }},
+        {&line.ideal, {0.15, 0.35}, [](Language language, Name name) {
+             return say(language, "Dotted: {}.", name);
+         }}};
     // A single value makes no visible curve.
     std::erase_if(all, [](const DrawnCurve& one) { return one.curve->y.size() < 2; });
     return all;

@@ -79,7 +79,7 @@ void scan_call(const std::string& source, std::size_t at, Scanned& found) {
 Scanned scan() {
     Scanned found;
     const std::regex call(
-        R"(\b(say(?=\([^",]*[lL]anguage)|Phrase|ReferenceLevel)(\(|\{)\s*[^)\s])");
+        R"(\b(say(?=\([^",]*([lL]anguage|[wW]ording))|Phrase|ReferenceLevel)(\(|\{)\s*[^)\s])");
     for (const fs::directory_entry& entry :
          fs::recursive_directory_iterator(test::checkout() / "src")) {
         if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
@@ -87,7 +87,7 @@ Scanned scan() {
         const std::string source(std::istreambuf_iterator<char>(file), {});
         for (std::sregex_iterator match(source.begin(), source.end(), call), end; match != end;
              ++match)
-            scan_call(source, static_cast<std::size_t>(match->position(2)), found);
+            scan_call(source, static_cast<std::size_t>(match->position(3)), found);
     }
     const std::regex tag(R"(\{\{_([^}]*)\}\})");
     for (const char* const folder : {"documents", "pages"})

@@ -18,11 +18,6 @@ class ExampleDocuments {
     ExampleDocuments() {
         std::filesystem::copy(root / "integrations", folder.path() / "integrations",
                               std::filesystem::copy_options::recursive);
-        std::string scene = text("gas.yaml");
-        const std::string film = "film: {";
-        REQUIRE(has(scene, film));
-        // A third of the frames, as its film is made again and again.
-        write("gas.yaml", scene.insert(scene.find(film) + film.size(), "fps: 10, "));
     }
 
     std::filesystem::path path(const std::string& name) const { return place() / name; }

@@ -131,21 +131,22 @@ Numbers numbers_in(const Table& table) {
     return found;
 }
 
-void add_axes(const Panel& panel, Numbers& to) {
+Numbers axes_of(const Panel& panel) {
     const auto* plotted = dynamic_cast<const PlotPanel*>(&panel);
-    if (plotted == nullptr) return;
+    if (plotted == nullptr) return {};
     const plot::Plot plot = plotted->plot(nullptr);
-    for (const double end : {plot.x.low, plot.x.high, plot.y.low, plot.y.high})
-        to.all.push_back(end);
+    return {"", {plot.x.low, plot.x.high, plot.y.low, plot.y.high}};
 }
 
-Numbers at_end_of_film(const FilmCase& of, const std::string& panel, int fps, bool with_axes) {
+struct EndOfFilm {
+    Numbers shown, axes;
+};
+
+EndOfFilm end_of_film(const FilmCase& of, const std::string& panel, int fps) {
     const test::Shot film(test::scene_from(film_scene(of, panel, fps, false)));
     const Panel& last = *film.panels->panels().back().panel;
     const std::shared_ptr<const PanelState>& state = film.frames.back().states.back();
-    Numbers found = numbers_in(last.table(*state, theme(ThemeKind::print)));
-    if (with_axes) add_axes(last, found);
-    return found;
+    return {numbers_in(last.table(*state, theme(ThemeKind::print))), axes_of(last)};
 }
 
 Numbers in_figure(const FilmCase& of, const std::string& panel) {
@@ -178,9 +179,10 @@ TEST_CASE("panels of films measure the same whatever the frames, and the same as
     for (const FilmCase& of : film_cases)
         for (const std::string& panel : of.panels) {
             CAPTURE(panel);
-            check_alike(at_end_of_film(of, panel, 7, true), at_end_of_film(of, panel, 30, true));
-            if (!has_own_bars(panel))
-                check_alike(at_end_of_film(of, panel, 7, false), in_figure(of, panel));
+            const EndOfFilm few = end_of_film(of, panel, 7), many = end_of_film(of, panel, 30);
+            check_alike(few.shown, many.shown);
+            check_alike(few.axes, many.axes);
+            if (!has_own_bars(panel)) check_alike(few.shown, in_figure(of, panel));
         }
 }
 

@@ -14,6 +14,7 @@
 #include "scene/scene.h"
 #include "support/relative.h"
 #include "support/seen_panel.h"
+#include "support/share_of_cases.h"
 
 using namespace carom;
 
@@ -180,7 +181,8 @@ TEST_CASE("half of the particles is marked where a window in the middle lets all
               .levels.empty());
 }
 
-TEST_CASE("numbers and temperatures beside a window scatter as theory says") {
+TEST_CASE("numbers and temperatures beside a window scatter as theory says" *
+          doctest::skip(test::has_sanitizers)) {
     const auto deviations = [](const std::string& measure, double radius) {
         constexpr int steps = 12'000;
         const Seen seen(

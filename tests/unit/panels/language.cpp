@@ -15,6 +15,7 @@
 #include "support/library.h"
 #include "support/resources.h"
 #include "support/scene_text.h"
+#include "support/share_of_cases.h"
 #include "support/shot.h"
 #include "support/test_root.h"
 #include "util/text.h"
@@ -124,9 +125,11 @@ TEST_CASE("frames speak the scene's language, and write its numbers") {
 }
 
 TEST_CASE("words that carom writes have room in every language") {
+    int number = 0;
     for (const char* name :
          {"brownian-motion", "entropy-reversed", "free-expansion", "free-gas", "second-law"})
         for (const char* code : {"en", "de", "fr", "es"}) {
+            if (number++ % test::every_nth(1, 3) != 0) continue;
             const Scene scene = library_scene(name, code);
             const Shot film(scene, 40);
             FramePainter painter(*film.panels);

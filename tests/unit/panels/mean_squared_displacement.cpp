@@ -14,6 +14,7 @@
 #include "scene/scene.h"
 #include "support/relative.h"
 #include "support/seen_panel.h"
+#include "support/share_of_cases.h"
 
 using namespace carom;
 using test::relative;
@@ -356,7 +357,8 @@ TEST_CASE("a curve is drawn as far as it is known") {
     CHECK(share < 0.72);  // 10 of 15
 }
 
-TEST_CASE("the error of D of a single disk is how D scatters between runs") {
+TEST_CASE("the error of D of a single disk is how D scatters between runs" *
+          doctest::skip(test::has_sanitizers)) {
     PanelSpec spec = displacement();
     spec.options.change<DisplacementOptions>().all_origins = true;
     spec.options.change<DisplacementOptions>().lags = 6.0;

@@ -12,6 +12,7 @@
 #include "stats/means/mean_error.h"
 #include "support/scene_text.h"
 #include "support/seen_panel.h"
+#include "support/share_of_cases.h"
 
 using namespace carom;
 
@@ -77,7 +78,8 @@ struct Covered {
 
 }  // namespace
 
-TEST_CASE("the band covers the barometric density as often as a standard error must") {
+TEST_CASE("the band covers the barometric density as often as a standard error must" *
+          doctest::skip(test::has_sanitizers)) {
     Covered covered;
     for (int seed = 1; seed <= seeds_of_bands; ++seed) {
         const plot::Plot plot = last_plot(scene_of_thin_gas(seed), 8);
@@ -93,7 +95,8 @@ TEST_CASE("the band covers the barometric density as often as a standard error m
 }
 
 // Exact for hard disks: places say nothing about velocities.
-TEST_CASE("the band covers the temperature of an isolated gas as often as it must") {
+TEST_CASE("the band covers the temperature of an isolated gas as often as it must" *
+          doctest::skip(test::has_sanitizers)) {
     Covered covered;
     for (int seed = 1; seed <= seeds_of_bands; ++seed) {
         const plot::Plot plot = last_plot(

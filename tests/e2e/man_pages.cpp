@@ -109,7 +109,7 @@ TEST_CASE("carom help scene shows sections, keys and what paths lead to") {
     CHECK(has(help("layout").out, "\n  color_bar "));
     for (const auto& [name, hint] : {std::pair{"equilibrat", "did you mean `equilibrate`?"},
                                      {"run.untl", "carom help scene lists them"},
-                                     {"pressure", "write carom help panel pressure"}}) {
+                                     {"entropy", "write carom help panel entropy"}}) {
         const Outcome wrong = help(name);
         CHECK(wrong.exit_code == 2);
         CHECK(has(wrong.err, hint));

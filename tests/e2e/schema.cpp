@@ -59,6 +59,7 @@ const std::map<std::string, const char*> beyond_the_schema{
     {"collision_map_plane", several_places},  // a kind against the box
     {"count_missing", several_places},        // a count, or a list of positions
     {"event_at_the_end", several_places},     // `at` against `until`
+    {"gas_reduced", several_places},          // `gas` against `units`
     {"film_fade_out", several_places},        // a region against the box
     {"film_trails_seeds", several_places},    // against the dimension
     {"profile_around", several_places},       // keys against one another, a point against the box
